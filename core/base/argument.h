@@ -8,15 +8,16 @@
 
 namespace proveout {
 
-/// What stands for a `{}` of a diagnostic: a word of the user's file, a key or text of the core, which stays
-/// as it is (or is translated); or figures that the core has computed. Always written with a decimal point,
-/// as files, JSON and the command line have it; a window writes figures as its language does.
+/// An argument of a diagnostic, which replaces a `{}` of its text: either text (a word of the user's file, or
+/// a key or text of the core, kept as it is or translated) or figures that the core has computed. Figures
+/// always use a decimal point, as files, JSON and the command line do; a window writes them as its language
+/// does.
 class Argument {
 public:
     Argument(std::string text) : m_text(std::move(text)) {}
     Argument(std::string_view text) : m_text(text) {}
     Argument(const char* text) : m_text(text) {}
-    /// The letter of a word. No number becomes one by accident.
+    /// The letter of a word. Only a char converts, so that no number becomes a letter by accident.
     template<std::same_as<char> Letter>
     Argument(Letter letter) : m_text(1, letter) {}
 
@@ -31,7 +32,7 @@ public:
     [[nodiscard]] const std::string& text() const { return m_text; }
     operator const std::string&() const { return m_text; }
 
-    /// Whether they read the same where nobody translates.
+    /// Compares the untranslated English texts.
     friend bool operator==(const Argument& a, const Argument& b) { return a.m_text == b.m_text; }
 
 private:

@@ -27,10 +27,10 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
-constexpr std::size_t kReportedBytes = std::size_t{1} << 22; ///< between two messages of progress
+constexpr std::size_t kReportedBytes = std::size_t{1} << 22; ///< bytes written between two progress messages
 constexpr off_t kSurelyFits = 16'000'000;                    ///< bytes
 
-/// In the place of an errno: the target is a device, a pipe or the like.
+/// Used in place of an errno: the target is a device, a pipe or the like.
 constexpr int kNotRegular = -1;
 
 std::string reason(int error) {
@@ -42,10 +42,10 @@ bool lacksRoom(int error) {
     return error == ENOSPC || error == EDQUOT || error == EFBIG;
 }
 
-/// Where the bytes shall stand in the end: symbolic links are followed, so that they stay links, even one
-/// whose target does not exist yet.
+/// Where the bytes finally go: symbolic links are followed, so that they stay links, even one whose target
+/// does not exist yet.
 std::filesystem::path resolved(std::filesystem::path target) {
-    constexpr int kMostLinks = 40; // what the system itself follows before it says ELOOP
+    constexpr int kMostLinks = 40; // the system itself reports ELOOP beyond this number
     std::error_code error;
     for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i) {
         const auto next = std::filesystem::read_symlink(target, error);
@@ -56,7 +56,7 @@ std::filesystem::path resolved(std::filesystem::path target) {
     return target;
 }
 
-/// The error that forbids to put a regular file in the place of `target`, 0 where nothing does.
+/// The error that makes it impossible to put a regular file in the place of `target`; 0 if there is none.
 int refusal(const std::filesystem::path& target) {
     std::error_code ignored;
     const auto status = std::filesystem::status(target, ignored);
@@ -66,8 +66,8 @@ int refusal(const std::filesystem::path& target) {
         return 0;
     if (!std::filesystem::is_regular_file(status))
         return kNotRegular;
-    // A rename would replace a write-protected file without asking; that of a superuser even one that nobody
-    // may write.
+    // A rename would replace a write-protected file without asking; run as superuser, even one without write
+    // permission for anyone.
     constexpr auto kAnyWrite = std::filesystem::perms::owner_write | std::filesystem::perms::group_write |
                                std::filesystem::perms::others_write;
     if ((status.permissions() & kAnyWrite) == std::filesystem::perms::none)
@@ -79,13 +79,13 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-/// The link under which the system shows an open file, through which a nameless one gets its name.
+/// The link in /proc that refers to an open file; it is used to give a nameless file its name.
 std::string shownAs(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-/// An open file without a name, of which nothing stays behind when the program is killed; below 0 where the
-/// system or the file system knows no such.
+/// Opens a file without a name, of which nothing remains if the program is killed. Below 0 where the system
+/// or the file system does not support this.
 int openNameless(const std::filesystem::path& folder, mode_t mode) {
     const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
     if (descriptor >= 0 && ::access(shownAs(descriptor).c_str(), F_OK) != 0) {
@@ -95,14 +95,14 @@ int openNameless(const std::filesystem::path& folder, mode_t mode) {
     return descriptor;
 }
 
-/// There, space that is reserved is memory that is taken, before there is anything to be put into it.
+/// In a file system in memory, reserved space uses up memory before any data is written.
 bool isInMemory(int descriptor) {
     struct statfs disk {};
     return ::fstatfs(descriptor, &disk) == 0 && disk.f_type == TMPFS_MAGIC;
 }
 
-/// The error that keeps `bytes` from going into the file, as far as its file system tells; 0 where nothing
-/// does. File systems that cannot reserve say so in several ways.
+/// The error that keeps `bytes` from fitting into the file, as far as the file system reports it; 0 if none
+/// is known. File systems that cannot reserve space say so in several ways.
 int reserveRoom(int descriptor, std::uint64_t bytes) {
     struct rlimit limit {};
     if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes > limit.rlim_cur)
@@ -120,8 +120,8 @@ int reserveRoom(int descriptor, std::uint64_t bytes) {
     return known && bytes / disk.f_frsize >= disk.f_bavail ? ENOSPC : 0;
 }
 
-/// Makes the rename itself survive a power cut. Some file systems refuse to sync a folder: then nothing can
-/// be done about it.
+/// Makes the rename itself survive a power failure. Some file systems refuse to sync a folder; then nothing
+/// can be done about it.
 void syncFolder(const std::filesystem::path& file) {
     const int descriptor = ::open(folderOf(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
@@ -140,11 +140,11 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes
     : m_target(resolved(std::move(target))), m_expected(expectedBytes), m_error(refusal(m_target)) {
     if (failed())
         return;
-    removeUnfinished(folderOf(m_target)); // before space is asked for, which they may take
+    removeUnfinished(folderOf(m_target)); // before space is reserved, since they may occupy it
     struct stat old {};
     const bool replaces = ::stat(m_target.c_str(), &old) == 0;
-    // The mode goes through open(), where the system applies the umask: asking for the umask means setting
-    // it, which other threads would see.
+    // The mode goes through open(), where the system applies the umask: reading the umask requires
+    // setting it, which other threads would see.
     const mode_t mode = replaces ? 0600 : 0666;
     m_descriptor = openNameless(folderOf(m_target), mode);
     if (m_descriptor < 0)
@@ -159,7 +159,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes
 
 void AtomicFile::openNamed(unsigned mode) {
     do {
-        if (m_descriptor >= 0) // another process took it for one that is left, before it could be claimed
+        if (m_descriptor >= 0) // another process mistook it for an abandoned one before it could be claimed
             ::close(m_descriptor);
         m_temporary = m_target.parent_path() / unfinishedName();
         m_descriptor = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
@@ -172,7 +172,7 @@ void AtomicFile::openNamed(unsigned mode) {
 
 void AtomicFile::giveName() {
     const std::string shown = shownAs(m_descriptor);
-    static_cast<void>(claimUnfinished(m_descriptor)); // nobody else can open it yet
+    static_cast<void>(claimUnfinished(m_descriptor)); // no other process can open it yet
     int result = 0;
     do {
         m_temporary = m_target.parent_path() / unfinishedName();
@@ -201,7 +201,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::write(const void* data, std::size_t size) {
     if (m_descriptor < 0)
         return;
-    m_written += size; // those that no longer fit are needed too
+    m_written += size; // bytes that no longer fit still count as needed
     if (failed())
         return;
     if (m_buffer.size() + size > kBufferSize)
@@ -228,8 +228,8 @@ void AtomicFile::discard() {
         ::unlink(std::exchange(m_temporary, {}).c_str());
 }
 
-/// Network file systems report late errors of writing at the close, so it comes before the rename. A second
-/// descriptor holds the claim until then: else another process could remove the file in between.
+/// Network file systems report late write errors at the close, so it comes before the rename. A second
+/// descriptor holds the claim until then; otherwise another process could remove the file in between.
 void AtomicFile::rename() {
     const int claim = ::fcntl(m_descriptor, F_DUPFD_CLOEXEC, 0);
     if (::close(std::exchange(m_descriptor, -1)) != 0)
@@ -292,8 +292,8 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
                                              : base_finding::kFileNotRegular,
                        {}, source.string());
     }
-    // Memory is asked first: a file that fits the limit may still be more than may be taken. Asking
-    // takes longer than reading a small file.
+    // The memory limit also applies: a file within `limit` may still need more memory than is available.
+    // Small files are not checked, because the check takes longer than reading them.
     if (info.st_size > kSurelyFits)
         limit = std::min(limit, memoryLimitBytes());
     if (static_cast<std::uint64_t>(info.st_size) > limit) {
@@ -317,7 +317,7 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
         const auto count = ::read(descriptor, chunk.data(), chunk.size());
         if (count > 0) {
             bytes.append(chunk.data(), static_cast<std::size_t>(count));
-            if (bytes.size() > limit) // it grows while it is read
+            if (bytes.size() > limit) // the file grew while it was being read
                 error = EFBIG;
         } else if (count < 0 && errno != EINTR) {
             error = errno;

@@ -12,18 +12,18 @@
 
 namespace proveout {
 
-/// A file that appears whole or not at all: bytes go to a temporary beside the target, `commit()` flushes
-/// them to the disk and renames. Without a successful commit the temporary is removed and an older file stays
-/// as it was; on most file systems it has no name until then, so that it is gone even where the program is
-/// killed; on others the next write into the folder removes it (unfinished_files.h). Ownership: holds an open
-/// descriptor, movable. Errors: kept and told by `commit()`, writing after one is harmless and counted, so
-/// that the message can tell how many bytes are needed. The permissions of an existing target are kept; a
-/// symbolic link is followed, so that the link survives; folders, special files and write-protected files are
-/// never replaced.
+/// A file that appears whole or not at all: bytes go to a temporary file beside the target, and `commit()`
+/// flushes them to the disk and renames it. Without a successful commit the temporary file is removed and an
+/// older file stays as it was. On most file systems the temporary file has no name until then, so that it
+/// disappears even if the program is killed; on others the next write into the folder removes it
+/// (unfinished_files.h). Ownership: holds an open descriptor, movable. Errors: kept and reported by
+/// `commit()`; writing after an error is harmless and is counted, so that the message can say how many bytes
+/// are needed. The permissions of an existing target are kept; a symbolic link is followed, so that the link
+/// survives; folders, special files and write-protected files are never replaced.
 class AtomicFile {
 public:
-    /// `expectedBytes`, where it is known, is reserved at once, so that a full disk is told before the work,
-    /// and given back if there is no commit.
+    /// `expectedBytes`, where it is known, is reserved at once, so that a full disk is reported before the
+    /// work, and is released if there is no commit.
     explicit AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes = 0);
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile(const AtomicFile&) = delete;
@@ -35,14 +35,15 @@ public:
     void write(std::string_view text) { write(text.data(), text.size()); }
     [[nodiscard]] std::uint64_t bytesWritten() const { return m_written; }
     [[nodiscard]] bool failed() const { return m_error != 0; }
-    /// Whether it could be opened, and the expected bytes reserved: what commit() would say about that.
+    /// Whether the file could be opened and the expected bytes reserved: the error that commit() would report
+    /// for that.
     [[nodiscard]] Result<void> ready() const;
 
-    /// Once. Until it returns without an error the target is as it was.
+    /// Call it once. Until it returns without an error the target is as it was.
     [[nodiscard]] Result<void> commit();
 
 private:
-    void openNamed(unsigned mode); ///< permissions, to which the system applies the umask
+    void openNamed(unsigned mode); ///< `mode`: permissions, to which the system applies the umask
     void giveName();
     void rename();
     void reserve();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be wrong with any file, and the counts of what is not shown.
+// Errors that can occur with any file, and the counts of messages that are not shown.
 #pragma once
 
 #include <array>

@@ -16,9 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How the two versions call the same things. Both write "max", or a number beyond all memory, for no limit.
+/// The file names and keys of one version of control groups. Both versions write "max", or a number larger
+/// than any memory, for no limit.
 struct GroupFiles {
-    std::array<const char*, 2> limits; ///< beyond the second the group is slowed down until nothing moves
+    std::array<const char*, 2> limits; ///< beyond the second, the group is slowed down to a standstill
     const char* usage;
     std::array<std::string_view, 2> cached; ///< keys of memory.stat
 };
@@ -59,8 +60,8 @@ void addGroup(const fs::path& group, const GroupFiles& files, GroupMemory& least
     least.available = std::min(least.available, *limit - std::min(*limit, used));
 }
 
-/// From the top group down to `path`, as /proc/self/cgroup names it. A path that leads out of the top group
-/// names one that is not visible here.
+/// Adds the groups from the top group down to `path`, as /proc/self/cgroup names it. A path that leads out of
+/// the top group names one that is not visible here.
 void addGroups(const fs::path& top, std::string_view path, const GroupFiles& files, GroupMemory& least) {
     fs::path group = top;
     addGroup(group, files, least);
@@ -87,7 +88,7 @@ bool lists(std::string_view list, std::string_view entry) {
 
 GroupMemory controlGroupMemory(const MemorySources& sources) {
     GroupMemory least;
-    // The topmost groups also where the system does not say which are ours.
+    // The topmost groups count also where the system does not say which groups are ours.
     addGroup(sources.controlGroups, kVersion2, least);
     addGroup(sources.controlGroups / "memory", kVersion1, least);
     std::ifstream groups(sources.proc / "self" / "cgroup");

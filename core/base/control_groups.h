@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the control groups of Linux leave to this process: a container has less than its machine, and is
+// The memory that Linux control groups leave to this process: a container has less than its machine, and is
 // killed at its own limit.
 #pragma once
 
@@ -12,14 +12,15 @@ namespace proveout {
 
 /// Bytes; the largest number where nothing is limited.
 struct GroupMemory {
-    std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();     ///< the least one
-    std::uint64_t available = std::numeric_limits<std::uint64_t>::max(); ///< the least of limit less usage
+    std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();     ///< the smallest one
+    std::uint64_t available = std::numeric_limits<std::uint64_t>::max(); ///< the smallest value of limit
+                                                                         ///< minus usage
 };
 
-/// The least over the groups of this process, of version 1 (controller `memory`) and of version 2, from its
-/// own group up to the topmost that is visible: each of them limits all that is in it. Groups that are not
-/// visible, as the own one from within a container, are skipped. Files that the system keeps in memory for
-/// speed are not counted as used, because it gives them up when asked. Any thread.
+/// The smallest values over the groups of this process, of version 1 (controller `memory`) and of version 2,
+/// from its own group up to the topmost visible one: each of them limits everything in it. Groups that are
+/// not visible, such as the process's own group inside a container, are skipped. The file cache does not
+/// count as used, because the system frees it on demand. Any thread.
 [[nodiscard]] GroupMemory controlGroupMemory(const MemorySources& sources);
 
 } // namespace proveout

@@ -18,8 +18,8 @@ struct CodeRange {
     char32_t last;
 };
 
-/// What a terminal obeys in place of showing it: control codes, marks that turn the direction of the text
-/// around, ends of lines and paragraphs.
+/// Characters that a terminal obeys instead of showing them: control codes, marks that change the direction
+/// of the text, ends of lines and paragraphs.
 constexpr std::array kObeyed{CodeRange{0, 0x1f},        CodeRange{0x7f, 0x9f},     CodeRange{0x61c, 0x61c},
                              CodeRange{0x200e, 0x200f}, CodeRange{0x2028, 0x202e}, CodeRange{0x2066, 0x2069},
                              CodeRange{0xfeff, 0xfeff}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program has to tell its user about an input: one sentence, the place it is about, and a stable id.
+// A message to the user about an input: one sentence, the place it is about, and a stable id.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ enum class Severity : std::uint8_t {
     note,    ///< worth knowing, nothing to do
     warning, ///< probably not what was meant
     error,   ///< could not be read or interpreted
-    fault,   ///< the program would do harm (exit code 1 of the command line)
+    fault,   ///< the program would cause damage (exit code 1 of the command line)
 };
 
 /// A place in a text file. Lines and columns are 1-based, columns count bytes; 0 means "the whole file".
@@ -29,11 +29,11 @@ struct TextRange {
     friend bool operator==(const TextRange&, const TextRange&) = default;
 };
 
-/// One message. `text` is a literal marked with PROVEOUT_TEXT in which `{}` stands for the next argument, so
-/// that the workstation can translate the sentence and keep the arguments.
+/// One message. `text` is a literal marked with PROVEOUT_TEXT in which each `{}` is replaced by the next
+/// argument, so that the workstation can translate the sentence and keep the arguments.
 struct Diagnostic {
     Severity severity = Severity::error;
-    bool unverified = false; ///< from this place on, nothing can be promised about the program (exit code 2)
+    bool unverified = false; ///< everything after this place is unverified (exit code 2)
     const char* id = "";     ///< stable, kebab-case, e.g. "arc-ends-differ"
     const char* text = "";
     std::vector<Argument> arguments;
@@ -41,7 +41,7 @@ struct Diagnostic {
     std::string file;
     TextRange where;
 
-    /// Texts are literals: equal ones are told by their address, at worst one message counts as two.
+    /// Texts are literals and compared by address; in the worst case one message counts as two.
     friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
@@ -51,8 +51,8 @@ using Diagnostics = std::vector<Diagnostic>;
 template<class T>
 using Result = tl::expected<T, Diagnostics>;
 
-/// Puts `arguments` for the `{}` of `text`, in order; surplus arguments are ignored, missing ones leave `{}`.
-/// A translation that needs another order writes `{1}`, `{2}`, … instead.
+/// Replaces each `{}` of `text` by the next of `arguments`; surplus arguments are ignored, missing ones leave
+/// `{}`. A translation that needs another order writes `{1}`, `{2}`, … instead.
 [[nodiscard]] std::string fillIn(std::string_view text, const std::vector<std::string>& arguments);
 
 /// The English sentence of a diagnostic.
@@ -62,7 +62,8 @@ using Result = tl::expected<T, Diagnostics>;
 /// …
 [[nodiscard]] std::string hintText(const Diagnostic& diagnostic);
 
-/// `FILE:LINE:COLUMN: error: sentence [id]`; what terminals obey, and bytes that are no UTF-8, are escaped.
+/// `FILE:LINE:COLUMN: error: sentence [id]`; control characters that a terminal obeys and bytes that are not
+/// UTF-8 are escaped.
 [[nodiscard]] std::string oneLine(const Diagnostic& diagnostic);
 
 /// "note", "warning", "error" or "fault".

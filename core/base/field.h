@@ -11,7 +11,7 @@ namespace proveout {
 /// One value of an enumerated parameter.
 struct Choice {
     const char* key;   ///< in files and on the command line
-    const char* label; ///< for people; marked with PROVEOUT_TEXT
+    const char* label; ///< for the user interface; marked with PROVEOUT_TEXT
 };
 
 /// `Params` is `Struct`, const or not.
@@ -24,7 +24,7 @@ concept ParametersOf = std::same_as<std::remove_const_t<Params>, Struct>;
 /// overloads.
 struct Field {
     const char* key;    ///< in files; on the command line too, where `option` is empty
-    const char* label;  ///< for people; marked with PROVEOUT_TEXT
+    const char* label;  ///< for the user interface; marked with PROVEOUT_TEXT
     const char* unit;   ///< "mm", "cells", …; may be empty
     const char* help;   ///< one sentence: the effect of the parameter; marked with PROVEOUT_TEXT
     double minimum = 0; ///< numbers only
@@ -33,7 +33,7 @@ struct Field {
     std::span<const Choice> choices = {}; ///< enumerations only, in the order of their values
     const char* option = "";              ///< on the command line, without its dashes
     const char* automatic = ""; ///< what "auto" means, where that is a value; marked with PROVEOUT_TEXT
-    int decimals = 3;           ///< that a form shows; numbers only
+    int decimals = 3;           ///< shown by a form; numbers only
 };
 
 /// On the command line, without its dashes.
@@ -46,7 +46,7 @@ struct Field {
     return number >= field.minimum && number <= field.maximum;
 }
 
-/// Of a number; the rows of other fields leave the range empty.
+/// Whether the number is limited; the rows of other fields leave the range empty.
 [[nodiscard]] constexpr bool hasRange(const Field& field) {
     return field.minimum < field.maximum;
 }

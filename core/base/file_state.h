@@ -7,7 +7,7 @@
 
 namespace proveout {
 
-/// What tells, without reading it, whether a file is still the same. Value type.
+/// Shows, without reading a file, whether it has changed. Value type.
 struct FileState {
     static constexpr std::uintmax_t kMissing = std::numeric_limits<std::uintmax_t>::max();
 

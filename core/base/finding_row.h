@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A row of the tables of findings: everything of a diagnostic that is known before a program is read. Each
-// room of the core has its rows in a header of its own; core/verification/findings collects them.
+// library of the core has its rows in a header of its own; core/verification/findings collects them.
 #pragma once
 
 #include <cstdint>
@@ -14,31 +14,32 @@
 
 namespace proveout {
 
-/// What else decides how severe a finding is.
+/// What else, besides the row, decides how severe a finding is.
 enum class SeverityRule : std::uint8_t {
     fixed,            ///< nothing: always as the row says
-    warningIfAssumed, ///< a warning where it rests on assumed sizes, as of a tool that is not confirmed
-    worstOmitted,     ///< as the worst of the findings that it stands for
+    warningIfAssumed, ///< a warning where it is based on assumed sizes, such as those of a tool that is not
+                      ///< confirmed
+    worstOmitted,     ///< as the worst of the findings that were only counted
 };
 
 /// A finding without its place and arguments. All texts are literals, marked with PROVEOUT_TEXT where the
 /// window shows them.
 struct FindingRow {
     Severity severity = Severity::error;
-    bool unverified = false; ///< from its place on, nothing can be promised about the program
+    bool unverified = false; ///< everything after its place is unverified
     const char* id = "";     ///< stable, kebab-case; rows with one id share their title
     const char* title = "";  ///< a short name without arguments, e.g. "Rapid cuts stock"
-    const char* text = "";   ///< a sentence; each `{}` stands for the next argument
+    const char* text = "";   ///< a sentence; each `{}` is replaced by the next argument
     const char* hint = "";   ///< what to do about it; may be empty, and name arguments by `{1}`, `{2}`, …
     SeverityRule severityRule = SeverityRule::fixed;
 };
 
-/// Who notices a finding.
+/// The part of the software that reports a finding.
 enum class FindingSource : std::uint8_t {
     files,       ///< files read and written, of any kind
     reader,      ///< the text of the program: lines, words, expressions
-    interpreter, ///< what its blocks do
-    lint,        ///< what is allowed but seldom meant
+    interpreter, ///< what the blocks of the program do
+    lint,        ///< what is allowed but seldom intended
     tools,       ///< cutters and the tool table
     stock,       ///< the stock and its grid
     setup,       ///< the setup and the machine
@@ -55,11 +56,11 @@ enum class FindingSource : std::uint8_t {
 /// kebab-case, e.g. "job-file": for machine-readable listings.
 [[nodiscard]] const char* name(FindingSource source);
 
-/// Rows that one part of the house notices.
+/// Rows that one part of the software reports.
 struct FindingTable {
     FindingSource noticedBy;
     std::span<const FindingRow* const> rows;
-    bool refusesInput; ///< an error among them keeps the input from being used at all, and ends a command
+    bool refusesInput; ///< an error among them makes the input unusable and ends a command
 };
 
 /// The finding of a row, at no place in particular.

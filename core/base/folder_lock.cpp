@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenTries{5};
-constexpr int kTries = 400; // two seconds: another program may hold such a lock for as long as it likes
+constexpr int kTries = 400; // two seconds: another program may hold such a lock indefinitely
 
 } // namespace
 

@@ -5,10 +5,10 @@
 
 namespace proveout {
 
-/// The turn of one writer in a folder: others that ask for it wait, in this process and in others, until this
-/// object is gone or its process has ended. It makes one step of comparing a file and replacing it. At most
-/// two seconds are waited; then, and where a file system has no locks, the work goes on without: the
-/// comparison alone has to do. Blocks the thread; not movable.
+/// Locks a folder for one writer: others that ask for it wait, in this process and in others, until this
+/// object is destroyed or its process has ended. It makes comparing a file and replacing it a single step.
+/// The wait is two seconds at most; then, and where a file system has no locks, the writer continues without
+/// a lock and relies on the comparison alone. Blocks the thread; not movable.
 class FolderLock {
 public:
     explicit FolderLock(const std::filesystem::path& folder);

@@ -32,12 +32,12 @@ private:
     std::unordered_map<std::string_view, std::uint32_t> m_known;
 };
 
-/// Places on diagonal k = x - y are x; k starts at -d.
+/// A place on diagonal k = x - y is given by its x; k starts at -d.
 class Search {
 public:
     Search(const Numbers& before, const Numbers& after) : m_before(before), m_after(after) {}
 
-    /// Nothing where it takes more than `mostEdits`.
+    /// Nothing if more than `mostEdits` are needed.
     [[nodiscard]] std::optional<Reached> run(std::size_t mostEdits) const {
         Reached reached;
         for (std::size_t d = 0; d <= mostEdits && d <= m_before.size() + m_after.size(); ++d) {

@@ -18,12 +18,13 @@ struct LineChange {
     friend bool operator==(const LineChange&, const LineChange&) = default;
 };
 
-/// Lines inserted and removed up to which the fewest are found; time and memory grow with its square.
+/// The fewest changes are found up to this number of inserted and removed lines; time and memory grow with
+/// its square.
 inline constexpr std::size_t kMostLineEdits = 1500;
 
 /// Where two texts differ, ascending and apart from each other: as few inserted and removed lines as possible
-/// (Myers, An O(ND) Difference Algorithm, 1986). Where that takes more than `mostEdits` lines, all between
-/// the equal lines at the beginning and the equal lines at the end is one change. Any thread.
+/// (Myers, An O(ND) Difference Algorithm, 1986). If that needs more than `mostEdits` lines, everything
+/// between the equal lines at the beginning and the equal lines at the end is one change. Any thread.
 [[nodiscard]] std::vector<LineChange> compareLines(const std::vector<std::string_view>& before,
                                                    const std::vector<std::string_view>& after,
                                                    std::size_t mostEdits = kMostLineEdits);

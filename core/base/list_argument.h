@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several texts of the core as one argument of a diagnostic: each is translated by itself, and they are shown
-// with commas between them.
+// Several texts of the core as one argument of a diagnostic: each is translated separately, and they are
+// shown with commas between them.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-inline constexpr std::string_view kListSeparator = "\x1f,\x1f"; ///< in no text that is shown
+inline constexpr std::string_view kListSeparator = "\x1f,\x1f"; ///< does not occur in any text that is shown
 
 [[nodiscard]] inline std::string listArgument(const std::vector<std::string>& texts) {
     std::string argument;

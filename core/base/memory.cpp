@@ -25,7 +25,7 @@ namespace {
 constexpr std::uint64_t kCautiousGuess = 1'000'000'000;
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// The number behind `key` in a file of lines "key number …"; nothing where there is none.
+/// The number that follows `key` in a file of lines "key number …"; nothing where there is none.
 std::optional<std::uint64_t> numberOf(std::string_view wanted, const std::filesystem::path& file) {
     std::ifstream lines(file);
     std::string key;
@@ -68,8 +68,8 @@ std::uint64_t below(std::uint64_t limit, std::uint64_t used) {
     return limit == kNoLimit ? kNoLimit : limit - std::min(limit, used);
 }
 
-/// What `ulimit -v` and `ulimit -d` leave. Each thread reserves a stack, and glibc an arena of 64 MiB of
-/// addresses for it, whatever it takes of them; the threads may not have been started yet.
+/// What `ulimit -v` and `ulimit -d` leave. Each thread reserves a stack, and glibc reserves an arena of 64
+/// MiB of addresses for it, however little of them is used; the threads may not have been started yet.
 std::uint64_t resourceLimitsLeave(const std::filesystem::path& proc) {
     constexpr std::uint64_t kArena = 64ULL << 20U;
     constexpr std::uint64_t kUsualStack = 8ULL << 20U;
@@ -130,7 +130,7 @@ void returnFreedMemory() {
 std::string readableBytes(double bytes) {
     static constexpr std::array kUnits = {"B", "kB", "MB", "GB", "TB", "PB"};
     std::size_t unit = 0;
-    // 999.5 is where the figure would be rounded to 1000 of its unit.
+    // From 999.5 on, the figure would be rounded to 1000 of its unit.
     while (bytes >= 999.5 && unit + 1 < kUnits.size()) {
         bytes /= 1000;
         ++unit;

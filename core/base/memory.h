@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory is computed before it is taken.
+// How much memory may be allocated; it is checked before the allocation.
 #pragma once
 
 #include <cstdint>
@@ -8,34 +8,34 @@
 
 namespace proveout {
 
-/// Where the system tells of memory; tests have folders of their own.
+/// Where the system reports memory; tests use folders of their own.
 struct MemorySources {
     std::filesystem::path proc = "/proc";
     std::filesystem::path controlGroups = "/sys/fs/cgroup";
 };
 
-/// Bytes that this process can take now without swapping: the least of what the machine has available
-/// (a cautious guess where the system does not say), of what is left in each of its control groups, and of
-/// what its resource limits (`ulimit -v`, `ulimit -d`) leave beside what its threads reserve.
+/// Bytes that this process can allocate now without swapping: the smallest of what the machine has available
+/// (a cautious guess where the system does not say), what is left in each of its control groups, and what its
+/// resource limits (`ulimit -v`, `ulimit -d`) leave after the reservations of its threads.
 [[nodiscard]] std::uint64_t availableMemoryBytes(const MemorySources& sources = {});
 
-/// Bytes that a job may take: what is available, and never more than half of what is installed or the control
-/// groups allow, so that the machine stays usable. Ask before allocating. Takes some 100 µs.
+/// Bytes that a job may allocate: what is available, but never more than half of what is installed or what
+/// the control groups allow, so that the machine stays usable. Ask before allocating. Takes some 100 µs.
 [[nodiscard]] std::uint64_t memoryLimitBytes(const MemorySources& sources = {});
 
-/// The largest resident size of this process so far; 0 where the system does not tell.
+/// The largest resident size that this process has had; 0 where the system does not report it.
 [[nodiscard]] std::uint64_t peakMemoryBytes();
 
-/// Large blocks go back to the system as soon as they are freed, also once many of them were: glibc would
-/// keep up to 32 MB in pieces, by which small maps took 1.6 times their forecast. To be called first in a
-/// program.
+/// Makes large blocks return to the system as soon as they are freed, however many of them there were:
+/// otherwise glibc would keep up to 32 MB in pieces, by which small maps took 1.6 times their forecast. Call
+/// it first in a program.
 void returnLargeBlocksAtOnce();
 
-/// Gives memory that was freed in small pieces back to the system, so that it does not add to what is taken
-/// next in large ones. Some 0.1 s a gigabyte.
+/// Returns memory that was freed in small pieces to the system, so that it does not add to what is allocated
+/// next in large ones. Some 0.1 s per gigabyte.
 void returnFreedMemory();
 
-/// "1.5 GB", "320 MB": decimal units, for sentences.
+/// "1.5 GB", "320 MB": decimal units, for use in sentences.
 [[nodiscard]] std::string readableBytes(double bytes);
 
 } // namespace proveout

@@ -18,7 +18,7 @@ bool sameLetter(char a, char b) {
     return small(a) == small(b);
 }
 
-/// Row by row of the usual table: distances of the beginnings of `a` to all beginnings of `b`.
+/// Row by row of the usual table: distances of the prefixes of `a` to all prefixes of `b`.
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> beforeLast(b.size() + 1);
     std::vector<std::size_t> last(b.size() + 1);

@@ -9,10 +9,10 @@
 
 namespace proveout {
 
-/// An array whose copies share what they have in common: copying costs one pointer per 256 elements, writing
-/// an element copies its chunk of 256 once per copy. It carries moments of the simulation (tiles, region
-/// meshes, rows of statistics) to other threads. Value type. One thread writes an object; other threads read
-/// *copies* of it, never the object itself.
+/// An array whose copies share what they have in common: copying costs one pointer per 256 elements, and
+/// writing an element copies its chunk of 256 once per copy. It carries snapshots of the simulation (tiles,
+/// region meshes, rows of statistics) to other threads. Value type. One thread writes an object; other
+/// threads read *copies* of it, never the object itself.
 template<class T>
 class PersistentArray {
 public:
@@ -50,7 +50,7 @@ public:
         return (*m_chunks[index / kChunkSize])[index % kChunkSize];
     }
 
-    /// The element for writing; its chunk is copied first where a copy of this array still shares it.
+    /// The element for writing; its chunk is copied first if a copy of this array still shares it.
     [[nodiscard]] T& edit(std::size_t index) {
         assert(index < m_size);
         return own(index / kChunkSize)[index % kChunkSize];

@@ -21,7 +21,8 @@ constexpr std::string_view kBeginning = ".proveout-";
 constexpr std::string_view kEnding = ".part";
 constexpr std::size_t kRandomDigits = 8;
 
-/// FNV-1a of the name of this computer: a lock does not tell whether a process of another one still writes.
+/// FNV-1a hash of the name of this computer: a lock does not show whether a process of another computer is
+/// still writing.
 std::uint32_t computerTag() {
     std::array<char, 256> name{};
     static_cast<void>(::gethostname(name.data(), name.size() - 1));
@@ -35,14 +36,14 @@ std::string beginningHere() {
     return fmt::format("{}{:08x}", kBeginning, computerTag());
 }
 
-/// Opened without following a link, so that nobody can have another file removed by one.
+/// Opened without following a link, so that no other file can be removed by means of a link.
 void removeIfAbandoned(const std::filesystem::path& file) {
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0)
         return;
     struct stat opened {};
     struct stat named {};
-    // The name is asked again once the lock is there: its writer may have renamed the file by now.
+    // The name is checked again once the lock is held: the writer may have renamed the file in the meantime.
     if (::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_uid == ::geteuid() &&
         ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::lstat(file.c_str(), &named) == 0 &&
         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino)
@@ -59,7 +60,7 @@ std::string unfinishedName() {
 
 bool claimUnfinished(int descriptor) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-        return errno != EWOULDBLOCK; // a file system without locks: nobody removes what cannot be locked
+        return errno != EWOULDBLOCK; // a file system without locks: no process removes what cannot be locked
     struct stat info {};
     return ::fstat(descriptor, &info) != 0 || info.st_nlink > 0;
 }

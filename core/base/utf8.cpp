@@ -7,7 +7,7 @@ namespace proveout {
 
 namespace {
 
-/// The least code that needs so many bytes.
+/// The smallest code that needs so many bytes.
 constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
 constexpr char32_t kLast = 0x10ffff;
 
@@ -19,7 +19,7 @@ std::size_t lengthFrom(unsigned char lead) {
     return lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
 }
 
-/// Whether a byte is within a character, and not its first.
+/// Whether a byte continues a character, that is, is not its first.
 bool continues(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }

@@ -3,9 +3,9 @@
 
 namespace proveout {
 
-/// From now on a write that hits a limit on the size of files (SIGXFSZ) or a pipe that nobody reads (SIGPIPE)
-/// fails with an error that can be reported, where it would else end the process without a word. Once, at the
-/// start of a process, before its threads.
+/// From now on a write that exceeds a limit on the size of files (SIGXFSZ), or that goes into a pipe without
+/// a reader (SIGPIPE), fails with an error that can be reported; otherwise it would end the process without a
+/// message. Call it once, at the start of a process, before its threads.
 void reportFailedWrites();
 
 } // namespace proveout

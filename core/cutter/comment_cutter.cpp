@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes a cutter of what comments state about it.
+// Makes a cutter from what comments state about it.
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
@@ -17,22 +17,22 @@ namespace {
 /// Where the value of a key comes from.
 enum class ValueOf : std::uint8_t {
     cornerRadius,
-    includedAngle, ///< twice the side angle where that is stated
+    includedAngle, ///< otherwise twice the side angle, if stated
     pointAngle,    ///< of drills, whose point CAM systems list as the taper
-    sideAngle,     ///< half the included angle where that is stated
+    sideAngle,     ///< otherwise half the included angle, if stated
     tipDiameter,
     nothing, ///< no comment states it
 };
 
-/// A key that a shape has besides its diameter, and what it is where the comment does not state it:
-/// `constant` plus `perDiameter` times the diameter.
+/// A key of a shape other than its diameter, and its value where the comment does not state it: `constant`
+/// plus `perDiameter` times the diameter.
 struct KeyRow {
     std::string_view shape;
     const char* key;
     ValueOf value;
     double constant;
     double perDiameter;
-    bool optional = false; ///< left out where it is not stated
+    bool optional = false; ///< omitted from the spec where it is not stated
 };
 
 constexpr KeyRow kStatedKeys[] = {
@@ -76,7 +76,8 @@ std::optional<double> stated(ValueOf value, const ToolComment& tool) {
 
 /// The shape by its name and by its sizes: a corner radius makes an end mill a bull-nose or a ball-end mill.
 std::string_view shapeOf(const ToolComment& tool) {
-    constexpr double kRoundsAll = 0.499; ///< corner radius by diameter: nothing flat is left of the tip
+    constexpr double kRoundsAll = 0.499; ///< corner radius divided by diameter: no flat part of the tip
+                                         ///< remains
     const std::string_view named = tool.shape;
     const double corner = tool.cornerRadius.value_or(0);
     const double taper = tool.sideAngle.value_or(0);
@@ -92,7 +93,7 @@ std::string_view shapeOf(const ToolComment& tool) {
     return named.empty() ? "flat" : named;
 }
 
-/// Whether the shape is by the comment, and not by our leave.
+/// Whether the comment states the shape, or it is only assumed.
 bool isShapeStated(const ToolComment& tool) {
     return *tool.shape != '\0' || tool.cornerRadius || tool.sideAngle;
 }

@@ -22,13 +22,13 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Upper case of the Latin and Cyrillic letters that names of tools are written in; 0: not a letter.
+/// Upper case of the Latin and Cyrillic letters that tool names are written in; 0: not a letter.
 char32_t foldedLetter(char32_t code) {
     if (code >= 'a' && code <= 'z')
         return code - 0x20;
     if (code >= 'A' && code <= 'Z')
         return code;
-    if (code == 0xD7 || code == 0xF7) // signs among the letters
+    if (code == 0xD7 || code == 0xF7) // signs in the range of the letters
         return 0;
     if (code >= 0xE0 && code <= 0xFE)
         return code - 0x20;
@@ -95,7 +95,7 @@ private:
         m_tokens.push_back(std::move(token));
     }
 
-    /// "$TOOL1" and "#12". The sign alone is one like others: "TOOL #1".
+    /// "$TOOL1" and "#12". The sign alone is treated like any other sign: "TOOL #1".
     void skipVariable() {
         if (m_rest[0] == '#' && !m_tokens.empty() && !m_tokens.back().isNumber())
             return readSign(firstCharacter(m_rest));
@@ -140,7 +140,8 @@ private:
         add(std::move(token));
     }
 
-    /// "in" is a unit, and a word of English: apart from its number it is a unit at the end of a phrase only.
+    /// "in" is a unit and also an English word: when separated from its number, it is a unit only at the end
+    /// of a phrase.
     [[nodiscard]] CommentUnit unitAt(std::string_view word) const {
         const bool phraseContinues =
             m_rest.size() > 1 && m_rest[0] == ' ' && foldedLetter(static_cast<unsigned char>(m_rest[1])) != 0;
@@ -165,7 +166,7 @@ private:
         }
     }
 
-    /// The digits of a number, with a decimal comma where it is the only one.
+    /// The digits of a number, with a decimal comma if it has only one.
     std::string readDigits(bool& point) {
         std::string digits;
         std::size_t at = 0;
@@ -183,7 +184,7 @@ private:
         return digits;
     }
 
-    /// One to three digits follow, and no further mark: else the comma separates the items of a list.
+    /// One to three digits follow, and no further mark; otherwise the comma separates the items of a list.
     [[nodiscard]] bool isDecimalComma(std::size_t at) const {
         std::size_t end = at + 1;
         while (end < m_rest.size() && isDigit(m_rest[end]))
@@ -227,7 +228,7 @@ private:
         m_rest = rest;
     }
 
-    /// In "T2 3/8" the 2 is no part of the fraction.
+    /// In "T2 3/8" the 2 is not part of the fraction.
     [[nodiscard]] bool followsNumberLabel() const {
         static constexpr std::string_view kNumberLabels[] = {"T", "TOOL", "NO", "NR", "NUMBER", "H", "D"};
         return !m_tokens.empty() &&
@@ -247,7 +248,7 @@ private:
     bool m_separated = false;
     bool m_equals = false;
     bool m_minus = false;
-    bool m_term = false; ///< of an expression: what comes is no size
+    bool m_term = false; ///< the number that follows is a term of an expression, not a size
 };
 
 } // namespace

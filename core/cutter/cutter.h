@@ -13,8 +13,8 @@ namespace proveout {
 
 enum class PieceKind { line, arc, upperArc };
 
-/// One piece of a profile over radii [r0, r1], from (r0, z0) to (r1, z1). line: straight. arc: of the lower
-/// half of a circle round (centreR, centreZ): z = centreZ - sqrt(radius² - (r - centreR)²). upperArc: of its
+/// One piece of a profile over radii [r0, r1], from (r0, z0) to (r1, z1). line: straight. arc: on the lower
+/// half of a circle around (centreR, centreZ): z = centreZ - sqrt(radius² - (r - centreR)²). upperArc: on its
 /// upper half, a hollow in the side of a cutter or the round top of a head.
 struct ProfilePiece {
     PieceKind kind = PieceKind::line;
@@ -27,18 +27,18 @@ struct ProfilePiece {
     double radius = 0;
 };
 
-/// A head that is wider than the neck above it. Seen from above it goes under material that stays.
+/// A head that is wider than the neck above it. Seen from above, it reaches under material that stays.
 struct NeckedHead {
     double neckRadius = 0;
     /// The top of the head from the neck outwards to the rim, without gaps in r; heights fall (or stay).
     std::vector<ProfilePiece> back;
 };
 
-/// What the row of a shape makes.
+/// The profile that the row of a shape makes.
 struct CutterProfile {
     /// From the axis outwards, without gaps in r; heights rise (or stay), and may jump up between two pieces.
     std::vector<ProfilePiece> pieces;
-    std::optional<NeckedHead> head; ///< none: above its rim the cutter is as wide as there
+    std::optional<NeckedHead> head; ///< none: above its rim the cutter is as wide as at the rim
 };
 
 /// The height of a piece at r0 <= r <= r1.
@@ -48,14 +48,15 @@ struct CutterProfile {
 class Cutter {
 public:
     Cutter() = default;
-    /// `spec` is the text it was made from, e.g. "ball:d=11,l=50". The flutes are at least as
-    /// long as the profile is high; of a necked head their length is that of head and neck.
+    /// `spec` is the text it was made from, e.g. "ball:d=11,l=50". The flutes are at least as long as the
+    /// profile is high; for a necked head, their length is that of head and neck.
     Cutter(std::string spec, CutterProfile profile, double fluteLength, double shankRadius,
            double shankLength);
 
     [[nodiscard]] const std::string& spec() const { return m_spec; }
     [[nodiscard]] const std::vector<ProfilePiece>& pieces() const { return m_profile.pieces; }
-    /// pieces() with lines for the arcs that cutting cannot solve, within kProfileError of them in height.
+    /// pieces() with lines in place of the arcs that cutting cannot solve, within kProfileError of them in
+    /// height.
     [[nodiscard]] const std::vector<ProfilePiece>& solvablePieces() const { return m_solvable; }
     [[nodiscard]] const std::optional<NeckedHead>& head() const { return m_profile.head; }
     [[nodiscard]] double radius() const { return m_radius; } ///< the largest radius
@@ -66,7 +67,7 @@ public:
     [[nodiscard]] double height(double r) const;
     /// Height of the profile at its rim, where the cylindrical part begins.
     [[nodiscard]] double rimHeight() const;
-    /// Height of the whole profile, of a head's back too.
+    /// Height of the whole profile, including a head's back.
     [[nodiscard]] double profileHeight() const;
 
     friend bool operator==(const Cutter& a, const Cutter& b) { return a.m_spec == b.m_spec; }
@@ -81,7 +82,8 @@ private:
     double m_shankLength = 0;
 };
 
-/// Makes a cutter from `SHAPE:key=value,…` by the rows of shapes.h. Errors name the key and the limits.
+/// Makes a cutter from `SHAPE:key=value,…` according to the rows of shapes.h. Errors name the key and the
+/// limits.
 [[nodiscard]] Result<Cutter> parseCutter(std::string_view spec);
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutters: their specifications and the profiles that these make.
+// Findings about cutters: their specifications and the profiles made from them.
 #pragma once
 
 #include <array>

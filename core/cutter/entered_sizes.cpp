@@ -11,7 +11,7 @@ namespace proveout {
 
 namespace {
 
-/// `SHAPE:key=value,…` taken apart.
+/// `SHAPE:key=value,…`, split into its parts.
 struct SpecText {
     std::string shape;
     std::map<std::string, std::string> values;
@@ -28,7 +28,7 @@ struct SpecText {
         }
     }
 
-    /// Takes the value that `other` has; where it has none, the standard one.
+    /// Adopts the value that `other` has; where it has none, the default applies.
     void adopt(const std::string& key, const SpecText& other) {
         if (const auto found = other.values.find(key); found != other.values.end())
             values[key] = found->second;
@@ -48,8 +48,8 @@ bool has(const std::vector<std::string>& keys, std::string_view key) {
     return std::ranges::find(keys, key) != keys.end();
 }
 
-/// What the comment states and the user has not entered, in the cutter of the user. Another shape has other
-/// keys: only what all shapes have is the comment's then.
+/// What the comment states and the user has not entered, put into the user's cutter. If the user has chosen
+/// another shape, its keys differ, and only the keys that all shapes have come from the comment.
 SpecText combined(const SpecText& stated, const SpecText& present, const std::vector<std::string>& entered) {
     if (!has(entered, "shape")) {
         SpecText out = stated;
@@ -58,7 +58,7 @@ SpecText combined(const SpecText& stated, const SpecText& present, const std::ve
         return out;
     }
     SpecText out = present;
-    if (present.values.contains("d")) // which a form cutter has not
+    if (present.values.contains("d")) // a form cutter has no diameter
         out.adopt("d", stated);
     if (!has(entered, "l"))
         out.adopt("l", stated);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A free profile, written as points from the tip outwards: RADIUS/HEIGHT:RADIUS/HEIGHT:… An arc to a point is
-// RADIUS/HEIGHT@RADIUS/HEIGHT with its centre, or RADIUS/HEIGHT@R with its radius, below zero where it is a
-// hollow in the cutter.
+// written RADIUS/HEIGHT@RADIUS/HEIGHT with its centre, or RADIUS/HEIGHT@R with its radius, which is negative
+// for a hollow in the cutter.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -19,13 +19,13 @@ namespace proveout {
 
 namespace {
 
-/// Each piece is a pass of cutting, and a hollow is many.
+/// Each piece is a pass of cutting, and a hollow consists of many pieces.
 constexpr std::size_t kMostPoints = 200;
 constexpr std::size_t kMostPieces = 1000;
 constexpr double kLargestPlace = 10000; // mm
-/// Ends of an arc that is written with three decimals lie that far from a circle.
+/// The ends of an arc that is written with three decimals can be that far from a circle.
 constexpr double kRoundedPlace = 2e-3;
-/// Radii that differ by less stand upright above each other.
+/// Radii that differ by less count as the same, so that the line between them is vertical.
 constexpr double kSameRadius = 1e-6;
 
 std::optional<double> numberOf(std::string_view text) {
@@ -48,14 +48,14 @@ std::optional<Vec2> placeOf(std::string_view text) {
     return Vec2(*radius, *height);
 }
 
-/// Whether an arc rises all the way, from level to upright at most.
+/// Whether an arc rises all the way, from horizontal to vertical at most.
 bool withinQuarter(const ProfilePiece& arc) {
     if (arc.kind == PieceKind::arc)
         return arc.centreR <= arc.r0 + kRoundedPlace && arc.centreZ >= arc.z1 - kRoundedPlace;
     return arc.centreR >= arc.r1 - kRoundedPlace && arc.centreZ <= arc.z0 + kRoundedPlace;
 }
 
-/// Reads point by point; places are told as characters of the text, counted from 1.
+/// Reads point by point; error places are reported as characters of the text, counted from 1.
 class FormReader {
 public:
     explicit FormReader(std::string_view text) : m_text(text) {}
@@ -125,7 +125,7 @@ private:
             return turns();
         const Vec2 inwards = glm::normalize(Vec2(-chord.y, chord.x)); // away from the tip plane
         const Vec2 middle = (m_last + to) / 2.0;
-        Result<double> away = 0; // of the centre from the middle of the chord
+        Result<double> away = 0; // of the centre from the midpoint of the chord
         if (const auto radius = numberOf(round))
             away = awayByRadius(*radius, glm::length(chord));
         else if (const auto centre = placeOf(round))
@@ -172,11 +172,11 @@ private:
     }
 
     std::string_view m_text;
-    std::size_t m_at = 0; ///< of the point that is read, in m_text
+    std::size_t m_at = 0; ///< position in m_text of the point that is being read
     std::size_t m_points = 0;
     std::size_t m_solvable = 0;
     Vec2 m_last{0};
-    bool m_wall = false; ///< upright part somewhere so far
+    bool m_wall = false; ///< whether there has been a vertical part
     CutterProfile m_profile;
 };
 

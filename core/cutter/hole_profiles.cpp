@@ -12,7 +12,7 @@ namespace proveout {
 
 namespace {
 
-/// Height of a cone of this included angle over `radius`.
+/// Height of a cone with this included angle over `radius`.
 double coneHeight(double radius, double angle) {
     return radius / std::tan(glm::radians(angle) / 2);
 }
@@ -41,7 +41,7 @@ Result<CutterProfile> coneProfile(const ShapeValues& values) {
     return pointed(tip, radius, coneHeight(radius - tip, values[1]));
 }
 
-/// d, angle. A drill cuts as a cone does; its chisel edge is left out.
+/// d, angle. A drill cuts as a cone does; its chisel edge is ignored.
 Result<CutterProfile> drillProfile(const ShapeValues& values) {
     return pointed(0, values[0] / 2, coneHeight(values[0] / 2, values[1]));
 }

@@ -28,8 +28,8 @@ tl::unexpected<Diagnostics> lowerThanItsTip(double height, double least) {
     return failure(cutter_finding::kTaperTooLow, {fmt::format("{}", height), figures("{:.4g}", least)});
 }
 
-/// A side that leans outwards by `lean` (radians, from the axis), through (radius, 0), up to `height`; the
-/// corner between the tip plane and it is rounded.
+/// A side that leans outwards by `lean` (radians, from the axis), through (radius, 0), up to `height`; its
+/// corner with the tip plane is rounded.
 Result<CutterProfile> leaningSide(double radius, double lean, double height, double corner) {
     const double lost = (1 - std::sin(lean)) / std::cos(lean); // of the tip's radius, per mm of the corner's
     const double ring = radius - corner * lost;

@@ -17,7 +17,7 @@ tl::unexpected<Diagnostics> neckTooThick(double neck, double limit) {
     return failure(cutter_finding::kNeckTooThick, {fmt::format("{}", neck), figures("{:.6g}", limit)});
 }
 
-/// The upper part of a circle round (centreR, centreZ), between two radii.
+/// The upper part of a circle around (centreR, centreZ), between two radii.
 ProfilePiece roundTop(double centreR, double centreZ, double radius, double r0, double r1) {
     ProfilePiece piece = sideBetween(r0, 0, r1, 0);
     piece.kind = PieceKind::upperArc;
@@ -29,7 +29,7 @@ ProfilePiece roundTop(double centreR, double centreZ, double radius, double r0, 
     return piece;
 }
 
-/// A disc with a quarter of a circle round it.
+/// A disc with a quarter circle around it.
 std::vector<ProfilePiece> roundedBottom(double radius, double corner) {
     std::vector<ProfilePiece> pieces;
     if (corner < radius)
@@ -68,7 +68,7 @@ Result<CutterProfile> slotProfile(const ShapeValues& values) {
     return CutterProfile{roundedBottom(radius, corner), head};
 }
 
-/// d, angle, h, neck, r. `d` is the largest diameter, the rounding between face and flank included.
+/// d, angle, h, neck, r. `d` is the largest diameter, including the rounding between face and flank.
 Result<CutterProfile> dovetailProfile(const ShapeValues& values) {
     const double radius = values[0] / 2;
     const double angle = glm::radians(values[1]);
@@ -77,7 +77,7 @@ Result<CutterProfile> dovetailProfile(const ShapeValues& values) {
     if (corner > radius)
         return cornerTooLarge(corner, radius);
     const double ring = radius - corner;
-    // Where the rounding passes into the flank.
+    // The point where the rounding meets the flank.
     const double flankR = ring + corner * std::sin(angle);
     const double flankZ = corner * (1 + std::cos(angle));
     const double top = flankR - (height - flankZ) / std::tan(angle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads `SHAPE:key=value,…` by the rows of the table of shapes.
+// Parses `SHAPE:key=value,…` according to the table of shapes.
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Cuts `text` at the first `separator` and returns what stands before it; `text` keeps the rest.
+/// Splits `text` at the first `separator` and returns the part before it; `text` keeps the rest.
 std::string_view splitOff(std::string_view& text, char separator) {
     const auto at = text.find(separator);
     const std::string_view head = text.substr(0, at);
@@ -38,7 +38,7 @@ std::string listOf(const Rows& rows) {
     return names;
 }
 
-/// The keys of a shape with the values that were given for them.
+/// The keys of a shape and the values that were given for them.
 struct KeyValues {
     std::vector<ShapeKey> keys;
     std::vector<std::optional<double>> given; ///< 0 for a value that is text
@@ -121,7 +121,7 @@ const CutterShape* findShape(std::string_view name) {
     return nullptr;
 }
 
-/// Where none is given: as thick as the cutter, or as the neck of its head.
+/// The radius if none is given: that of the cutter, or of the neck of its head.
 double shankRadiusOf(const CutterProfile& profile) {
     return profile.head ? profile.head->neckRadius : profile.pieces.back().r1;
 }

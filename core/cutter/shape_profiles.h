@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The profile of each shape from the values of its keys, in the order of its row in shapes.cpp. Pure; any
-// thread. Errors: values that fit no shape together.
+// Makes the profile of each shape from the values of its keys, in the order of its row in shapes.cpp. Pure;
+// any thread. Errors: values that fit no shape together.
 #pragma once
 
 #include "core/cutter/shapes.h"
@@ -31,15 +31,15 @@ namespace proveout {
 // form_profile.cpp
 [[nodiscard]] Result<CutterProfile> formProfile(const ShapeValues& values);
 
-// profile_pieces.cpp: what they are made of
+// profile_pieces.cpp: the pieces that profiles are made of
 
 /// A ring between two radii at one height; a disc from 0.
 [[nodiscard]] ProfilePiece ringBetween(double r0, double r1, double z = 0);
 /// From (r0, z0) to (r1, z1).
 [[nodiscard]] ProfilePiece sideBetween(double r0, double z0, double r1, double z1);
-/// A quarter of a circle that leaves the tip plane at `from`.
+/// A quarter circle that leaves the tip plane at `from`.
 [[nodiscard]] ProfilePiece cornerFrom(double from, double cornerRadius);
-/// Of a corner radius that the rest of the shape has no room for.
+/// The error for a corner radius that is too large for the rest of the shape.
 [[nodiscard]] tl::unexpected<Diagnostics> cornerTooLarge(double corner, double largest);
 
 } // namespace proveout

@@ -27,7 +27,7 @@ constexpr ShapeKey kSideAngle{"angle", PROVEOUT_TEXT("Core", "Angle of each side
 constexpr ShapeKey kTaperHeight{
     "h", PROVEOUT_TEXT("Core", "Height of the taper"), "mm", kLeastSize, kLargestSize, 20, true};
 
-/// The same key with another proposal, which is also what an optional key has that is left out.
+/// The same key with another proposed value, which is also the value of an optional key that is omitted.
 constexpr ShapeKey withDefault(ShapeKey key, double defaultValue) {
     key.defaultValue = defaultValue;
     return key;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of cutter shapes: one row a shape. Parser, dialogs, help and tests read it.
+// The table of cutter shapes: one row per shape. Parser, dialogs, help and tests read it.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@ namespace proveout {
 
 struct ShapeKey {
     const char* key;   ///< in a spec, e.g. "d"
-    const char* label; ///< for people; marked with PROVEOUT_TEXT
+    const char* label; ///< for the user interface; marked with PROVEOUT_TEXT
     const char* unit;  ///< "mm" or "°"
     double minimum;
     double maximum;
-    double defaultValue; ///< what a dialog proposes; the value of an optional key that is left out
+    double defaultValue; ///< what a dialog proposes; also the value of an optional key that is omitted
     bool required;
     /// What a dialog proposes for a value that is text; null: the value is a number.
     const char* defaultText = nullptr;
@@ -25,31 +25,31 @@ struct ShapeKey {
     [[nodiscard]] bool isText() const { return defaultText != nullptr; }
 };
 
-/// What was given for the keys of a shape.
+/// The values that were given for the keys of a shape.
 struct ShapeValues {
     std::span<const double> numbers; ///< by key; 0 for one that is text
-    std::string_view text;           ///< of the shape's one key that is text
+    std::string_view text;           ///< of the one key of the shape that is text
 
     [[nodiscard]] double operator[](std::size_t key) const { return numbers[key]; }
 };
 
 struct CutterShape {
     const char* key;   ///< in a spec, e.g. "ball"
-    const char* label; ///< for people; marked with PROVEOUT_TEXT
+    const char* label; ///< for the user interface; marked with PROVEOUT_TEXT
     std::span<const ShapeKey> keys;
-    /// Makes the profile from the values of `keys`, in their order. Errors: values that fit no shape
+    /// Makes the profile from the values of `keys`, in the same order. Errors: values that fit no shape
     /// together.
     Result<CutterProfile> (*profile)(const ShapeValues& values);
 };
 
 [[nodiscard]] std::span<const CutterShape> cutterShapes();
-/// The row of the shape that a spec names; null where there is none of that name.
+/// The row of the shape that a spec names; null where there is none with that name.
 [[nodiscard]] const CutterShape* shapeOf(std::string_view spec);
 
-/// Keys that every shape takes: flute length `l`, shank diameter `sd`, shank length `sl`.
+/// Keys that every shape has: flute length `l`, shank diameter `sd`, shank length `sl`.
 [[nodiscard]] std::span<const ShapeKey> commonShapeKeys();
-/// What a key of ToolOrigin::defaults stands for, for people: its label in the shape of the spec, or that of
-/// the shape itself; null where there is no such key. Marked with PROVEOUT_TEXT.
+/// The user-facing name of a key of ToolOrigin::defaults: its label in the shape of the spec, or the label of
+/// the shape itself; null if there is no such key. Marked with PROVEOUT_TEXT.
 [[nodiscard]] const char* labelOfDefault(std::string_view spec, std::string_view key);
 
 } // namespace proveout

@@ -8,8 +8,8 @@ namespace proveout {
 
 namespace {
 
-/// How far, at most, the line between two places of an arc lies from it in height. The farthest place is the
-/// one where the arc has the line's slope.
+/// The largest deviation in height between an arc and the line between two points of it. The farthest point
+/// is the one where the arc has the line's slope.
 double chordError(const ProfilePiece& arc, double from, double to) {
     const double z0 = heightOf(arc, from);
     const double slope = (heightOf(arc, to) - z0) / (to - from);
@@ -19,7 +19,7 @@ double chordError(const ProfilePiece& arc, double from, double to) {
     return std::abs(heightOf(arc, farthest) - (z0 + slope * (farthest - from)));
 }
 
-/// The end of the longest line from `from` that is near enough, `last` at most. Errors grow with the length.
+/// The end of the longest line from `from` that is near enough, at most `last`. Errors grow with the length.
 double lineEnd(const ProfilePiece& arc, double from, double last) {
     constexpr double kFinest = 1e-9;
     const auto tooFar = [&](double to) { return chordError(arc, from, to) > 2 * kProfileError; };
@@ -43,7 +43,7 @@ ProfilePiece lineBetween(const ProfilePiece& arc, double from, double to, double
     return line;
 }
 
-/// Lines between places of the arc, moved so that they lie as far on one side of it as on the other.
+/// Lines between points of the arc, shifted so that they deviate equally to both sides of it.
 void addLines(const ProfilePiece& arc, std::vector<ProfilePiece>& lines) {
     const bool hollow = arc.kind == PieceKind::upperArc;
     const double shift = hollow ? kProfileError : -kProfileError;

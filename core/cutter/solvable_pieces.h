@@ -7,10 +7,10 @@
 
 namespace proveout {
 
-/// How far in height, mm, lines may lie from the arc that they stand for. The rest of a micrometre is left to
-/// the rounding of cutting.
+/// How far in height, mm, lines may deviate from the arc that they replace. The rest of a micrometre is left
+/// to the rounding of cutting.
 inline constexpr double kProfileError = 5e-4;
-/// Where such an arc stands upright, this much of its radii, mm, counts as its wall.
+/// Where such an arc is vertical, this much of its radii, mm, counts as its wall.
 inline constexpr double kUprightPart = 1e-5;
 
 /// Cutting solves lines, and arcs of the lower half whose centre is not beyond the axis: both are convex. Any

@@ -16,7 +16,7 @@ namespace proveout {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-// Mills for circuit boards are 0.1 mm thick, face mills 300 mm.
+// PCB mills are 0.1 mm thick, face mills 300 mm.
 constexpr double kThinnest = 0.02;
 constexpr double kThickest = 500;
 constexpr double kLongest = 1000;
@@ -72,7 +72,8 @@ private:
         return number.value * (inch ? kMmPerInch : 1);
     }
 
-    /// The number that a label of `words` tokens at `at` is for; the number of tokens where there is none.
+    /// The index of the number that a label of `words` tokens at `at` is for; the number of tokens if there
+    /// is none.
     [[nodiscard]] std::size_t numberOf(const LabelRow& row, std::size_t at) const {
         const std::size_t next = at + wordCount(row.words);
         const bool usable =
@@ -83,7 +84,8 @@ private:
         return !row.closely || !number.separated || number.equals ? next : m_tokens.size();
     }
 
-    /// The H register and the tool number, known before D can be told from the D register.
+    /// Reads the H register and the tool number, which must be known before D can be distinguished from the D
+    /// register.
     void readNumbers() {
         for (std::size_t at = 0; at < m_tokens.size(); ++at) {
             const LabelRow* row = labelAt(m_tokens, at);
@@ -124,7 +126,7 @@ private:
         put(row->field, number);
     }
 
-    /// "D" is one of "TOOL D", which was read already.
+    /// This "D" is part of "TOOL D", which was read already.
     [[nodiscard]] bool isPartOfLongerLabel(std::size_t at) const {
         for (std::size_t back = 1; back <= 2 && back <= at; ++back)
             if (const LabelRow* row = labelAt(m_tokens, at - back);
@@ -133,8 +135,8 @@ private:
         return false;
     }
 
-    /// "H1 D1": the register of the radius, as posts list it beside that of the length; and "T5 D5 12MM
-    /// ENDMILL", where another number is the size.
+    /// "H1 D1": the radius register, as posts list it beside the length register; and "T5 D5 12MM ENDMILL",
+    /// where another number is the size.
     [[nodiscard]] bool isRegister(const CommentToken& number) const {
         if (!number.isWhole() || number.equals)
             return false;
@@ -234,7 +236,7 @@ private:
             }
     }
 
-    /// "T1 : 3.175" and nothing else.
+    /// "T1 : 3.175" and nothing more.
     void readSizeAfterNumber() {
         if (m_numberAt != 1 || m_tokens.size() != 3 || !m_tokens[2].isNumber() || !m_tokens[2].equals)
             return;
@@ -242,8 +244,8 @@ private:
         setDiameter(millimetres(m_tokens[2]));
     }
 
-    /// Prose, or about holes, passes and heights. A tool number, or sizes that only a tool has, outweigh
-    /// that.
+    /// Prose, or a text about holes, passes and heights. A tool number, or sizes that only a tool has,
+    /// outweigh that.
     [[nodiscard]] bool isAboutSomethingElse() const {
         if (m_tool.number || m_tool.aboutTool)
             return false;
@@ -274,7 +276,7 @@ private:
         setDiameter(millimetres(m_tokens[best]));
     }
 
-    /// How much speaks for a number to be the diameter; 0: nothing.
+    /// How likely it is that a number is the diameter; 0: not at all.
     [[nodiscard]] double rankOfSize(std::size_t at) const {
         const CommentToken& number = m_tokens[at];
         if (!number.isNumber() || m_used[at] || number.glued || number.term ||
@@ -286,8 +288,8 @@ private:
             return 10 - static_cast<double>(shape);
         if (sized && isBesideTool(at))
             return 6;
-        // A bare number may be anything: beside the name of the shape, and of a numbered tool or with a
-        // point.
+        // A bare number may be anything: it counts beside the name of the shape, if the tool has a number or
+        // the figure a decimal point.
         if (shape == 1 && (m_tool.number || number.point) && !isThreading())
             return 2;
         return 0;
@@ -335,12 +337,12 @@ private:
     }
 
     std::vector<CommentToken> m_tokens;
-    std::vector<bool> m_used; ///< numbers that a label has taken
+    std::vector<bool> m_used; ///< numbers that belong to a label
     bool m_inch;
     ShapePlace m_shape;
     std::optional<double> m_height;
-    std::optional<double> m_statedNumber; ///< of the tool, by a label
-    std::size_t m_numberAt = 0;           ///< token of the tool number
+    std::optional<double> m_statedNumber; ///< of the tool, given by a label
+    std::size_t m_numberAt = 0;           ///< index of the token of the tool number
     bool m_nonsense = false;
     ToolComment m_tool;
 };

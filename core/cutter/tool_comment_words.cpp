@@ -111,7 +111,7 @@ constexpr LabelRow kLabelWords[] = {
     {"TOOL LEN", notOfCutter},
 };
 
-/// The first row found counts: what narrows another row down stands before it.
+/// The first matching row counts, so a more specific row must come before a more general one.
 constexpr ShapeRow kShapeWords[] = {
     {"PROBE", ""},
     {"PROBING", ""},
@@ -236,7 +236,7 @@ constexpr std::string_view kOtherThings[] = {
     "ALLOWANCE", "BORE",    "TOLERANCE", "OFFSET", "SHANK", "DEVIATION", "THICKNESS",
 };
 
-/// Whether the words of a row stand at token `at`, one token each. Signs between them do not matter.
+/// Whether the words of a row are at token `at`, one token each. Signs between them do not matter.
 bool matchAt(std::string_view words, std::span<const CommentToken> tokens, std::size_t at) {
     while (!words.empty()) {
         const std::string_view word = words.substr(0, words.find(' '));
@@ -256,7 +256,7 @@ public:
         for (const Row& row : rows)
             m_rows.emplace(row.words.substr(0, row.words.find(' ')), &row);
     }
-    /// Calls `visit(row)` for every row whose words stand at token `at`.
+    /// Calls `visit(row)` for every row whose words are at token `at`.
     template<class Visitor>
     void at(std::span<const CommentToken> tokens, std::size_t at, Visitor&& visit) const {
         const auto [first, last] = m_rows.equal_range(tokens[at].word);

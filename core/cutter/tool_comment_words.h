@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of words that comments name tools and their sizes with. Inside the room only.
+// The tables of words by which comments name tools and their sizes. Internal to this library.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace proveout {
 /// What the number after a label is.
 enum class CommentField : std::uint8_t {
     toolNumber,
-    diameter,     ///< of whatever the comment is about
+    diameter,     ///< of anything that the comment is about
     toolDiameter, ///< of a tool, whatever else the comment says
     toolRadius,
     cornerRadius,
@@ -28,35 +28,35 @@ enum class CommentField : std::uint8_t {
 };
 
 struct LabelRow {
-    std::string_view words; ///< upper case, a blank between two
+    std::string_view words; ///< upper case, separated by one blank
     CommentField field;
-    /// The number is joined to the label or follows "=" or ":"; a blank is not enough.
+    /// The number must be joined to the label or follow "=" or ":"; a blank is not enough.
     bool closely = false;
 };
 
-/// A row without a shape is about what is not a rotating cutter.
+/// A row without a shape is about something that is not a rotating cutter.
 struct ShapeRow {
     std::string_view words;
     const char* shape; ///< key of cutterShapes(); empty: none
 };
 
-/// The row whose words stand at token `at`, the longest one; null where none does.
+/// The row whose words are at token `at`, the longest one; null if there is none.
 [[nodiscard]] const LabelRow* labelAt(std::span<const CommentToken> tokens, std::size_t at);
-/// How many tokens the words of a row are.
+/// How many tokens the words of a row span.
 [[nodiscard]] std::size_t wordCount(std::string_view words);
 
-/// Where the words of a shape stand.
+/// Where the words of a shape are.
 struct ShapePlace {
     const ShapeRow* row = nullptr;
     std::size_t first = 0; ///< token
-    std::size_t last = 0;  ///< token, of the words
+    std::size_t last = 0;  ///< index of the last token of the words
 };
 /// The most specific shape that the tokens name; a null row where they name none.
 [[nodiscard]] ShapePlace shapeIn(std::span<const CommentToken> tokens);
 
-/// Whether a word names a tool of no particular shape.
+/// Whether a word names a tool without a particular shape.
 [[nodiscard]] bool namesTool(std::string_view word);
-/// Whether a word says that the sizes in a comment are of something else, in a comment without a tool number.
+/// Whether a word shows that the sizes in a comment without a tool number are those of something else.
 [[nodiscard]] bool namesSomethingElse(std::string_view word);
 
 } // namespace proveout

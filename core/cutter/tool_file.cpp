@@ -34,7 +34,7 @@ TextRange place(const toml::source_region& region) {
     return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), 0};
 }
 
-/// Reads the rows; errors are told at their places.
+/// Reads the rows; errors are reported at their places.
 class RowReader {
 public:
     Result<ToolTable> read(const toml::table& document) {
@@ -64,7 +64,7 @@ private:
             readCutter(*row, *number);
     }
 
-    /// Nothing where the row has no usable number.
+    /// Nothing if the row has no usable number.
     std::optional<int> readNumber(const toml::table& row) {
         const auto number = row["number"].value_exact<std::int64_t>();
         if (!number || *number < kLeastTool || *number > kLargestTool) {
@@ -107,7 +107,7 @@ private:
         return ToolSource::given;
     }
 
-    /// A misspelt key must not be ignored in silence.
+    /// A misspelt key must not be ignored silently.
     void refuseUnknown(const toml::table& table, std::span<const std::string_view> names,
                        const FindingRow& listing, const FindingRow& guessing) {
         for (const auto& [key, value] : table) {
@@ -120,7 +120,7 @@ private:
         }
     }
 
-    /// Of the value, or of the row where the key is missing.
+    /// The place of the value, or of the row if the key is missing.
     static TextRange placeOf(const toml::table& row, std::string_view key) {
         const toml::node* value = row.get(key);
         return place(value == nullptr ? row.source() : value->source());
@@ -133,7 +133,7 @@ private:
     }
 
     ToolTable m_tools;
-    std::set<std::int64_t> m_numbers; ///< of all rows so far, those without a cutter too
+    std::set<std::int64_t> m_numbers; ///< of all rows read, including those without a cutter
     BoundedDiagnostics m_errors;
 };
 

@@ -13,8 +13,8 @@ namespace proveout {
 ///     number = 1
 ///     cutter = "ball:d=11,l=50"
 ///     source = "assumed"           # the sizes are not confirmed; "given" where the key is missing
-/// Errors with line and column, all of them at once: syntax; a key or table that is not known; a row without
-/// number or cutter, a number that is no positive whole number or comes twice, a cutter that no shape fits.
+/// Errors with line and column, all of them at once: syntax; an unknown key or table; a row without number or
+/// cutter, an invalid tool number or one that occurs twice, a cutter that fits no shape.
 [[nodiscard]] Result<ToolTable> readToolFile(const std::filesystem::path& file);
 
 } // namespace proveout

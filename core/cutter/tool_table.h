@@ -15,9 +15,9 @@ namespace proveout {
 
 /// Where the sizes of a tool come from.
 enum class ToolSource : std::uint8_t {
-    given,   ///< the user, a job or a tool table states them
-    comment, ///< a comment of the program states them; the user has not confirmed them
-    assumed, ///< default sizes, so that the moves of the tool can be simulated at all
+    given,   ///< stated by the user, a job or a tool table
+    comment, ///< stated by a comment of the program; the user has not confirmed them
+    assumed, ///< default sizes, so that the moves of the tool can be simulated
 };
 
 /// "given", "comment" or "assumed", as in files and JSON.
@@ -26,25 +26,26 @@ enum class ToolSource : std::uint8_t {
 /// Where the sizes of one tool come from. Value type.
 struct ToolOrigin {
     ToolSource source = ToolSource::given;
-    std::uint32_t line = 0;   ///< of the comment, 1-based; else 0
+    std::uint32_t line = 0;   ///< of the comment, 1-based; 0 if there is none
     std::string comment = {}; ///< its text
-    /// What the comment does not state and is a default: keys of the cutter's spec, or "shape".
+    /// Values that the comment does not state and that are defaults: keys of the cutter's spec, or "shape".
     std::vector<std::string> defaults = {};
     /// What the user has entered since, without confirming the tool: keys as of `defaults`.
     std::vector<std::string> entered = {};
 
-    /// Whether a size, by the key of the cutter's spec, is one that somebody has stated.
+    /// Whether a size, given by its key in the cutter's spec, was stated by the comment or the user.
     [[nodiscard]] bool states(const std::string& key) const;
 
     friend bool operator==(const ToolOrigin&, const ToolOrigin&) = default;
 };
 
-/// The cutters by tool number, and which of them nobody has confirmed. Value type.
+/// The cutters by tool number, and which of them are not confirmed. Value type.
 class ToolTable {
 public:
     void set(int number, Cutter cutter, ToolOrigin origin = {});
     void remove(int number);
-    /// The sizes of a tool are right: from now on they are given. Nothing where the table has no such tool.
+    /// Marks the sizes of a tool as right: from now on they are given. Does nothing if the table has no such
+    /// tool.
     void confirm(int number) { m_unconfirmed.erase(number); }
     void confirmAll() { m_unconfirmed.clear(); }
 
@@ -54,7 +55,7 @@ public:
         return found == m_tools.end() ? nullptr : &found->second;
     }
     [[nodiscard]] const std::map<int, Cutter>& tools() const { return m_tools; }
-    /// Of the tools whose sizes are not given: where they come from.
+    /// The origins of the sizes of those tools whose sizes are not given.
     [[nodiscard]] const std::map<int, ToolOrigin>& unconfirmed() const { return m_unconfirmed; }
     /// nullptr where the sizes are given, or the number is not in the table; valid until the table changes.
     [[nodiscard]] const ToolOrigin* unconfirmedOrigin(int number) const {
@@ -66,7 +67,7 @@ public:
 
 private:
     std::map<int, Cutter> m_tools;
-    std::map<int, ToolOrigin> m_unconfirmed; ///< its numbers are in m_tools
+    std::map<int, ToolOrigin> m_unconfirmed; ///< its numbers are also in m_tools
 };
 
 /// Reads `N=SHAPE:key=value,…` (also `TN=…`) of the command line into a number and a cutter.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NumPy arrays that are read as z-maps.
+// Findings about NumPy arrays that are read as z-maps.
 #pragma once
 
 #include <array>

@@ -9,8 +9,8 @@ namespace proveout {
 
 namespace {
 
-constexpr JsonRange kSpacing{0, 1e6, true}; ///< mm; makeGrid() knows what is possible
-constexpr const char* kDetected = "auto";   ///< the dialect is that of the signs in the program
+constexpr JsonRange kSpacing{0, 1e6, true}; ///< mm; makeGrid() checks what is possible
+constexpr const char* kDetected = "auto";   ///< the dialect is detected from the program
 
 JsonRange rangeOf(const Field& field) {
     return {field.minimum, field.maximum};

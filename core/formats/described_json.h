@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values of described fields (core/base/field.h) in the JSON of a job: one function for each type of value,
-// for all structs of parameters. A type without one does not compile. Inside the room only.
+// for all structs of parameters. A type without such a function does not compile. Internal to this library.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,19 +16,19 @@
 
 namespace proveout {
 
-/// A visitor of describe() that reads. A field that is missing leaves its value as it is.
+/// A visitor of describe() that reads. A missing field leaves its value unchanged.
 struct FieldReader {
     JsonFields& fields;
 
     void operator()(double& value, const Field& field) const;
     void operator()(int& value, const Field& field) const;
-    /// The second one of two choices is `true`.
+    /// The second of the two choices is `true`.
     void operator()(bool& value, const Field& field) const;
     void operator()(std::optional<int>& value, const Field& field) const;
     void operator()(std::optional<Vec3>& value, const Field& field) const;
     void operator()(std::optional<DialectId>& value, const Field& field) const;
     void operator()(std::set<int>& value, const Field& field) const;
-    /// Automatic where it is missing.
+    /// The grid is automatic if the field is missing.
     void operator()(GridPlace<double, bool> grid, const Field& field) const;
     template<class Enumeration>
     requires std::is_enum_v<Enumeration>
@@ -39,13 +39,13 @@ struct FieldReader {
     }
 };
 
-/// A visitor of describe() that writes; what is not set has no field.
+/// A visitor of describe() that writes; a value that is not set gets no field.
 struct FieldWriter {
     nlohmann::ordered_json& out;
 
     void operator()(double value, const Field& field) const { out[field.key] = value; }
     void operator()(int value, const Field& field) const { out[field.key] = value; }
-    /// The first one of two choices has no field: older versions and most controls do not know it.
+    /// The first of the two choices gets no field, because older versions and most controls do not know it.
     void operator()(bool value, const Field& field) const;
     void operator()(const std::optional<int>& value, const Field& field) const;
     void operator()(const std::optional<Vec3>& value, const Field& field) const;

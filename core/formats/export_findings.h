@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files that are written.
+// Findings about mesh files that are written.
 #pragma once
 
 #include <array>

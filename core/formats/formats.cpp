@@ -52,7 +52,7 @@ constexpr std::array kFormats{
                PROVEOUT_TEXT("Core", "the stock left by a setup"), StockFormat{readStock, writeStock}},
 };
 
-/// The endings of the mesh formats that are written and fit, each once.
+/// The extensions of those mesh formats that can be written and that fit, each once.
 template<class Fits>
 std::string endingsWhere(Fits&& fits) {
     std::vector<std::string_view> seen;

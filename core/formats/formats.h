@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of file formats: one row a format, with its reader and writer. Command line, dialogs and tests
-// read it; adding a format is one row and its functions.
+// The table of file formats: one row per format, with its reader and writer. Command line, dialogs and tests
+// read it; adding a format takes one row and its functions.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,13 @@
 
 namespace proveout {
 
-/// A null function: the format is not read, or not written.
+/// A null function means that the format cannot be read, or cannot be written.
 struct MeshFormat {
     Result<TriangleMesh> (*read)(const std::filesystem::path& file);
     Result<WrittenFile> (*write)(const std::filesystem::path& file, const TriangleMesh& mesh,
                                  const WorkContext& context);
-    CoordinateType coordinates; ///< what a written file holds them in
-    std::uint64_t leastBytes;   ///< of a written triangle, with its share of the vertices
+    CoordinateType coordinates; ///< the type of the coordinates in a written file
+    std::uint64_t leastBytes;   ///< per written triangle, with its share of the vertices
 };
 struct HeightsFormat {
     Result<NpyArray> (*read)(const std::filesystem::path& file);
@@ -47,19 +47,19 @@ struct StockFormat {
 
 struct FileFormat {
     const char* key;                         ///< on the command line, e.g. "stl"
-    const char* label;                       ///< for people; marked with PROVEOUT_TEXT
-    std::span<const char* const> extensions; ///< with the dot, lower case; the first is proposed
-    const char* holds;                       ///< for people; marked with PROVEOUT_TEXT
+    const char* label;                       ///< for the user interface; marked with PROVEOUT_TEXT
+    std::span<const char* const> extensions; ///< with the dot, lower case; the first is the default
+    const char* holds;                       ///< for the user interface; marked with PROVEOUT_TEXT
     std::variant<MeshFormat, HeightsFormat, JobFormat, StockFormat> handlers;
 
     [[nodiscard]] bool reads() const;
     [[nodiscard]] bool writes() const;
-    /// Its handler if it is a mesh format that is written, else null.
+    /// Its handler if it is a mesh format that can be written, else null.
     [[nodiscard]] const MeshFormat* meshWriter() const;
 };
 
-/// Bytes that a file takes with all triangles of the top of a z-map, before there is one: a forecast, which
-/// a stock that is cut through can fall short of.
+/// Size in bytes of a file with all triangles of the top of a z-map, forecast before it is made; the size of
+/// a stock that is cut through may be smaller.
 [[nodiscard]] std::uint64_t fullMeshBytes(const MeshFormat& format, const Grid& grid);
 
 /// "float32" or "float64".
@@ -70,13 +70,13 @@ struct FileFormat {
 /// The row with this key, or null.
 [[nodiscard]] const FileFormat* findFormat(std::string_view key);
 
-/// The endings of the mesh formats that are written, each once: ".stl .obj …".
+/// The extensions of the mesh formats that can be written, each once: ".stl .obj …".
 [[nodiscard]] std::string meshEndings();
-/// Of those that hold coordinates in double precision.
+/// The same for those formats that hold coordinates in double precision.
 [[nodiscard]] std::string exactMeshEndings();
 
-/// The first row that writes meshes into files with the ending of this one, in any case of letters. Error: no
-/// row does (id "export-format-unknown").
+/// The first row that writes meshes into files with the extension of this one; case is ignored. Error: there
+/// is no such row (id "export-format-unknown").
 [[nodiscard]] Result<const FileFormat*> meshFormatOf(const std::filesystem::path& file);
 
 } // namespace proveout

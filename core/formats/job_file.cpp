@@ -29,20 +29,20 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// 2: the position of the stock has fields of its own names, and a job without a grid has an automatic one.
+/// 2: the position of the stock has separate fields, and a job without a grid has an automatic one.
 constexpr int kSchema = 2;
 constexpr std::uint64_t kSizeLimit = 16'000'000; ///< bytes; a job has a few hundred
 constexpr int kDepthLimit = 32;
 
 constexpr JsonRange kSize{0, 1e6, true}; ///< mm, of a stock
 
-/// Where other files are that a job names.
+/// The context for finding other files that a job names.
 struct Reach {
     fs::path folder; ///< of the job
     const OutsideRule& allowed;
 };
 
-/// A file that the job names; empty where it may not be read, which is an error then.
+/// A file that the job names; empty, with an error reported, if it must not be read.
 fs::path reachedFile(JsonFields& fields, const char* key, const std::string& named, const Reach& reach) {
     fs::path file = absolutePath(reach.folder / fs::path(named));
     if (!isOutside(reach.folder, file) || (reach.allowed && reach.allowed(file)))
@@ -65,13 +65,12 @@ void readStockField(JsonFields& fields, const StockField& field, const Reach& re
         fields.require({field.name});
         std::string file;
         fields.read(field.name, file);
-        if (!file.empty()) // one that was saved before its file was chosen
+        if (!file.empty()) // a stock that was saved before its file was chosen has none
             spec.shape.file = reachedFile(fields, field.name, file, reach);
     }
 }
 
-/// Where a job says nothing of the position, a box is at 0 with its top, and a body is where it lies by
-/// itself.
+/// If a job does not give the position, the top of a box is at 0, and a body stays in its own coordinates.
 struct DescribedStock {
     StockSpec spec;
     std::optional<Vec3> corner;
@@ -100,7 +99,7 @@ ordered_json writeStock(const Setup& setup, const fs::path& folder) {
     const StockSpec spec{setup.stock, setup.shape};
     const StockShapeRow& row = rowOf(spec.shape.kind);
     ordered_json out = ordered_json::object();
-    if (row.kind != StockKind::box) // a box is what jobs knew before there were shapes
+    if (row.kind != StockKind::box) // jobs from before there were shapes have a box without a shape
         out["shape"] = row.key;
     writeStockPosition(out, spec.box);
     for (const StockField& field : row.fields) {
@@ -117,7 +116,7 @@ ordered_json writeStock(const Setup& setup, const fs::path& folder) {
 }
 
 void readTools(JsonFields tools, ToolTable& table) {
-    std::set<int> numbers; // "1" and "01" are the same
+    std::set<int> numbers; // "1" and "01" are the same number
     tools.eachString([&](const std::string& key, const std::string& spec) {
         const auto number = parseToolNumber(key);
         if (!number) {
@@ -134,12 +133,12 @@ void readTools(JsonFields tools, ToolTable& table) {
     });
 }
 
-// Of tools whose sizes are not confirmed. Beside "tools", which older versions read too.
+// Tools whose sizes are not confirmed, stored beside "tools", which older versions read as well.
 constexpr const char* kUnconfirmed = "unconfirmedTools";
 constexpr Choice kUnconfirmedSources[] = {{"comment", ""}, {"assumed", ""}};
 constexpr JsonRange kLines{0, std::numeric_limits<int>::max()};
 
-/// Keys of a cutter's spec, with commas between them.
+/// Keys of a cutter's spec, separated by commas.
 void readKeys(JsonFields& fields, const char* name, std::vector<std::string>& keys) {
     std::string text;
     fields.read(name, text);
@@ -208,7 +207,7 @@ void readParameters(JsonFields fields, Job& job) {
     fields.warnAboutUnknown();
 }
 
-/// The schema comes first: what else a newer file holds cannot be judged.
+/// The schema is checked first: other fields of a newer file may have a different meaning.
 Result<void> checkSchema(const nlohmann::json& json) {
     const auto found = json.is_object() ? json.find("proveout") : json.end();
     if (!json.is_object() || found == json.end())
@@ -220,8 +219,8 @@ Result<void> checkSchema(const nlohmann::json& json) {
     return {};
 }
 
-/// Warnings in the order of the text; where the job cannot be read they follow the errors, because a field
-/// that is missing may be one whose name is misspelt.
+/// Warnings in the order of the text; if the job cannot be read they follow the errors, because a missing
+/// field may be one whose name is misspelt.
 Diagnostics reported(JsonComplaints& complaints) {
     complaints.warnings.sortByPlace();
     complaints.errors.append(std::move(complaints.warnings));
@@ -245,7 +244,7 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     else if (!program.empty())
         job.program = reachedFile(fields, "program", program, reach);
     DescribedStock stock = readStock(fields, reach);
-    // Its file is read where all that was said of it can be.
+    // Its file is read only if its description has no errors.
     const bool needsFile =
         stock.spec.shape.kind != StockKind::box && stock.spec.shape.kind != StockKind::cylinder;
     if (complaints.errors.empty() && !(needsFile && stock.spec.shape.file.empty())) {
@@ -298,7 +297,7 @@ Result<Job> readJob(const fs::path& file, const OutsideRule& allowed) {
         return tl::unexpected(text.error());
     auto job = parse(*text, {folderOfJob(file), allowed});
     for (auto& diagnostic : job ? job->warnings : job.error())
-        if (diagnostic.file.empty()) // else it is about a file that the job names
+        if (diagnostic.file.empty()) // otherwise it is about a file that the job names
             diagnostic.file = file.string();
     return job;
 }
@@ -310,8 +309,7 @@ Result<Job> readJob(const fs::path& file) {
 Result<std::string> jobText(const fs::path& file, const Job& job) {
     try {
         return toJson(job, file).dump(2) + "\n";
-    } catch (
-        const nlohmann::json::type_error&) { // dump() knows no other way to refuse bytes that are no UTF-8
+    } catch (const nlohmann::json::type_error&) { // the way in which dump() refuses bytes that are not UTF-8
         return failure(job_finding::kJobNotUtf8, {}, file.string());
     }
 }

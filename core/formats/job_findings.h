@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Job files: their JSON, their fields and the files that they name.
+// Findings about job files: their JSON, their fields and the files that they name.
 #pragma once
 
 #include <array>

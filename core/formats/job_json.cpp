@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What stands for an object that is not there.
+/// Used in place of a missing object.
 const json& emptyObject() {
     static const json kEmpty = json::object();
     return kEmpty;
@@ -91,7 +91,7 @@ bool JsonFields::readNumber(std::string_view key, std::string_view element, cons
 }
 
 bool JsonFields::readString(std::string_view key, const json& value, std::string& text) {
-    // A NUL would end the text early for the system.
+    // A NUL would end the text early in system calls.
     if (value.is_string() && value.get_ref<const std::string&>().find('\0') == std::string::npos) {
         text = value.get<std::string>();
         return true;

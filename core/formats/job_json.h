@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of a job file: JSON in, checked values out. Inside the room only.
+// The fields of a job file: converts JSON into checked values. Internal to this library.
 #pragma once
 
 #include <cstddef>
@@ -20,22 +20,21 @@
 
 namespace proveout {
 
-/// Numbers allowed for a field.
+/// The numbers allowed for a field.
 struct JsonRange {
     double minimum = 0;
     double maximum = 0;
-    bool aboveMinimum = false; ///< the minimum itself is not allowed
+    bool aboveMinimum = false; ///< whether the minimum itself is excluded
 };
 
-/// What was found wrong while the fields were read.
+/// The problems found while the fields were read.
 struct JsonComplaints {
     BoundedDiagnostics errors;
     BoundedDiagnostics warnings;
 };
 
-/// An object of the file, read field by field. A field that is missing leaves the value as it is; a wrong one
-/// adds an error that names its path, with its place. Holds references: the document and the complaints must
-/// outlive it.
+/// An object of the file, read field by field. A missing field leaves the value unchanged; a wrong one adds
+/// an error with its path and place. Holds references: the document and the complaints must outlive it.
 class JsonFields {
 public:
     JsonFields(const JsonDocument& document, JsonComplaints& complaints)
@@ -52,9 +51,9 @@ public:
     void read(const char* key, Vec3& point, const JsonRange& range);
     /// An array of whole numbers from 0 to `most`.
     void read(const char* key, std::set<int>& numbers, int most);
-    /// The index of the choice named.
+    /// The index of the choice that the field names.
     void read(const char* key, std::size_t& index, std::span<const Choice> choices);
-    /// The object `key`; an empty one where it is missing or none.
+    /// The object `key`; an empty one if it is missing or not an object.
     [[nodiscard]] JsonFields object(const char* key);
     /// Calls `visit(key, text)` for every field, each of which must be a string.
     template<class Visitor>
@@ -69,14 +68,14 @@ public:
     /// Adds an error about `key`: "the field …: …".
     void fail(std::string_view key, const FindingRow& row, std::vector<Argument> arguments);
 
-    /// Call it when everything known has been asked for: warns about every field that was not, and names the
-    /// known one that was probably meant.
+    /// Call it after all known fields have been read: it warns about every field that was not read, and names
+    /// the known one that was probably intended.
     void warnAboutUnknown();
 
 private:
     [[nodiscard]] const nlohmann::json* find(const char* key);
     [[nodiscard]] bool readString(std::string_view key, const nlohmann::json& value, std::string& text);
-    /// `element`: which one of an array, "[1]"; empty where the field is the number itself.
+    /// `element`: the element of an array, "[1]"; empty if the field is the number itself.
     [[nodiscard]] bool readNumber(std::string_view key, std::string_view element, const nlohmann::json& value,
                                   double& number, const JsonRange& range);
     void fail(std::string_view key, std::string_view element, const FindingRow& row,
@@ -85,8 +84,8 @@ private:
     const JsonDocument* m_document;
     JsonComplaints* m_complaints;
     const nlohmann::json* m_object;
-    std::string m_path; ///< with a dot at its end where it is not empty
-    JsonPlace m_here;   ///< of the whole object: no place where it is the outermost
+    std::string m_path; ///< ends with a dot unless it is empty
+    JsonPlace m_here;   ///< of the whole object; without a place for the outermost one
     std::set<std::string, std::less<>> m_asked;
 };
 

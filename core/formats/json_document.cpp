@@ -12,12 +12,12 @@ namespace {
 
 using nlohmann::json;
 
-// How the library numbers and words its errors.
+// The error number and text that the library uses.
 constexpr int kOutOfRange = 406;
 constexpr std::string_view kUnexpectedEnd = "unexpected end of input";
 
-/// Bytes of a text, one after the other. Copies share the position, so that its owner sees how far the parser
-/// is.
+/// Iterates over the bytes of a text. Copies share the position, so that the owner can see how far the parser
+/// has read.
 class SharedIterator {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -39,15 +39,16 @@ private:
     const char** m_at;
 };
 
-/// Walks through the text once before anything is built: it knows the depth, and the places of all fields and
-/// of every error (the exceptions of the parser proper do not tell the place of a number out of range).
+/// Walks through the text once before anything is built and determines the depth, and the places of all
+/// fields and of every error (the exceptions of the actual parser do not give the place of a number out of
+/// range).
 class SyntaxCheck : public nlohmann::json_sax<json> {
 public:
     SyntaxCheck(std::string_view text, int depth)
         : m_next(text.data()), m_end(text.data() + text.size()), m_counted(text.data()),
           m_lineStart(text.data()), m_depthLeft(depth) {}
 
-    /// Whether the text is valid JSON within the depth. Once.
+    /// Whether the text is valid JSON within the depth. Call it only once.
     [[nodiscard]] bool passes() {
         return json::sax_parse(SharedIterator(m_next), SharedIterator(m_end), this);
     }
@@ -81,21 +82,21 @@ public:
     bool parse_error(std::size_t /*offset*/, const std::string& token,
                      const nlohmann::detail::exception& error) override {
         if (error.id == kOutOfRange) {
-            // What ends a number was read already, unless the end of the text did.
+            // The character after a number was read already, unless the text ended there.
             const char* end = *(m_next - 1) == token.back() ? m_next : m_next - 1;
             m_error = placeOf(end - token.size());
             m_error.length = static_cast<int>(token.size());
             return false;
         }
-        // The last byte read is the wrong one; at the end of the text there was none to read. Only the
-        // sentence tells the two apart where the text ends.
+        // The last byte read is the wrong one; at the end of the text there was none to read. At the end of
+        // the text, only the message distinguishes the two cases.
         const bool atEnd = std::string_view(error.what()).find(kUnexpectedEnd) != std::string_view::npos;
         m_error = placeOf(atEnd ? m_next : m_next - 1);
         return false;
     }
 
 private:
-    /// Within arrays nothing has a number.
+    /// Objects within arrays are not numbered.
     bool enter(std::size_t object) {
         m_open.push_back(object);
         m_tooDeep = --m_depthLeft < 0;
@@ -121,7 +122,7 @@ private:
             --backslash;
         return (quote - backslash) % 2 == 0;
     }
-    /// Only forwards, so that a whole text is counted once.
+    /// Moves only forwards, so that the lines of a text are counted once.
     [[nodiscard]] TextRange placeOf(const char* at) {
         for (; m_counted < at; ++m_counted) {
             if (*m_counted == '\n') {
@@ -132,7 +133,7 @@ private:
         return {m_line, static_cast<int>(at - m_lineStart) + 1, 0};
     }
 
-    const char* m_next; ///< behind the last byte that was read
+    const char* m_next; ///< after the last byte that was read
     const char* m_end;
     const char* m_counted;
     const char* m_lineStart;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON from a text that may be hostile, with the places of its fields. Inside the room only.
+// Parses JSON from a text that may be hostile, with the places of its fields. Internal to this library.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace proveout {
 
-/// Where a field stands in the text, and what it holds.
+/// Where a field is in the text, and what its value is.
 struct JsonPlace {
     TextRange where;                ///< of its name
     std::size_t object = kNoObject; ///< number of the object that is its value, if it is one
@@ -22,8 +22,8 @@ struct JsonPlace {
     static constexpr std::size_t kNoObject = std::numeric_limits<std::size_t>::max();
 };
 
-/// The places of the fields of all objects, but for those within arrays. Objects are numbered as they begin;
-/// the outermost one is 0. Of fields with the same name the last counts, as in the JSON.
+/// The places of the fields of all objects, except within arrays. Objects are numbered in the order in which
+/// they begin; the outermost one is 0. Of fields with the same name the last counts, as in the JSON.
 using JsonPlaces = std::map<std::pair<std::size_t, std::string>, JsonPlace>;
 
 struct JsonDocument {

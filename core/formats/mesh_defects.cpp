@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edges and facets are sorted by their least vertex, those of one vertex by what remains: equal ones are then
-// neighbours.
+// Edges and facets are sorted by their lowest vertex, those of one vertex by their other vertices, so that
+// equal ones become neighbours.
 #include "core/formats/mesh_defects.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace proveout {
 
 namespace {
 
-/// A mesh with more open edges than one of so many may be a sheet, whose volume has no sign.
+/// A mesh in which more than one of this many edges is open may be a sheet, whose volume has no sign.
 constexpr std::size_t kMostlyClosed = 10;
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -22,14 +22,14 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// The two other vertices of a facet, the lower one first.
 using OtherVertices = std::array<std::uint32_t, 2>;
 
-/// An edge at its lower vertex: the other one, and in the last bit whether the facet runs towards it.
+/// An edge at its lower vertex: the other vertex, and in the last bit whether the facet runs towards it.
 using EdgeEnd = std::uint32_t;
 
 EdgeEnd endOf(std::uint32_t from, std::uint32_t to) {
     return std::max(from, to) * 2 + (from < to ? 1 : 0);
 }
 
-/// Values by a key of 0 … keys−1. Filled in two passes over the same values, each by `each(add)`.
+/// Values grouped by a key of 0 … keys−1. Filled in two passes over the same values, each by `each(add)`.
 template<class Value, class Each>
 class Buckets {
 public:
@@ -41,7 +41,7 @@ public:
         each([&](std::size_t key, const Value& value) { m_values[next[key]++] = value; });
     }
 
-    /// Calls `look` with each run of values that are equal by `same` and of one key.
+    /// Calls `look` with each run of values that have one key and are equal by `same`.
     template<class Same, class Look>
     void forRuns(const Same& same, const Look& look) {
         for (std::size_t key = 0; key + 1 < m_ends.size(); ++key) {
@@ -62,7 +62,7 @@ private:
     std::vector<Value> m_values;
 };
 
-/// Counts the edges with defects; returns the number of all.
+/// Counts the edges with defects; returns the number of all edges.
 std::size_t countEdges(const TriangleMesh& mesh, MeshDefects& defects) {
     const auto each = [&mesh](const auto& add) {
         for (const Triangle& t : mesh.triangles)
@@ -95,7 +95,7 @@ std::size_t countDuplicates(const TriangleMesh& mesh) {
     return duplicates;
 }
 
-/// Six times the volume, about the first vertex: near the mesh, wherever it lies.
+/// Six times the volume, computed relative to the first vertex: near the mesh, wherever the mesh is.
 double signedVolume(const TriangleMesh& mesh) {
     double volume = 0;
     for (const Triangle& t : mesh.triangles) {

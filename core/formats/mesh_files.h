@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files with coordinates in double.
+// Writes mesh files with coordinates in double.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ struct WrittenFile {
     std::uint64_t bytes = 0;
 };
 
-// All of them: coordinates in mm, each read back as the same double; vertices and triangles in the order of
-// the mesh, indices shared, so that nothing has to be welded. Written atomically and in batches: memory does
-// not grow with the mesh, and a stopped context leaves no file behind (id "cancelled"). Any thread. Equal
-// meshes give equal bytes. Errors: an empty mesh (id "nothing-left"), coordinates that are not finite (id
-// "mesh-coordinate"), a file that cannot be written (id "file-unwritable").
+// For all writers: coordinates are in mm and read back as the same double; vertices and triangles are in the
+// order of the mesh, with shared indices, so that readers need not weld. Files are written atomically and in
+// batches: memory does not grow with the mesh, and a stopped context leaves no file behind (id "cancelled").
+// Any thread. Equal meshes give equal bytes. Errors: an empty mesh (id "nothing-left"), coordinates that are
+// not finite (id "mesh-coordinate"), a file that cannot be written (id "file-unwritable").
 
 /// Wavefront OBJ: `v` and `f` lines with the shortest decimals that read back as the same numbers.
 [[nodiscard]] Result<WrittenFile> writeObj(const std::filesystem::path& file, const TriangleMesh& mesh,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files that are read.
+// Findings about mesh files that are read.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the writers of meshes have in common. Inside the room only.
+// Common code of the mesh writers. Internal to this library.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@
 
 namespace proveout {
 
-/// Refuse what no mesh file can hold: an empty mesh; coordinates that are not finite.
+/// Refuse meshes that no mesh file can hold: an empty mesh; coordinates that are not finite.
 [[nodiscard]] Result<void> checkNotEmpty(const std::filesystem::path& file, const TriangleMesh& mesh);
 [[nodiscard]] Result<void> checkFinite(const std::filesystem::path& file, const TriangleMesh& mesh);
 
-/// Appends the shortest decimal that reads back as the same number, with a point in every locale.
+/// Appends the shortest decimal that reads back as the same number, with a decimal point in every locale.
 template<class Number>
 void appendNumber(std::string& out, Number value) {
     constexpr std::size_t kLongest = 32;
@@ -33,15 +33,15 @@ void appendNumber(std::string& out, Number value) {
         std::to_chars(out.data() + start, out.data() + out.size(), value).ptr - out.data()));
 }
 
-/// Takes a mesh apart into pieces of text (or bytes) between which a wish to stop is answered. Keeps
-/// references to what it is given.
+/// Splits a mesh into batches of text (or bytes), and checks between them whether to stop. Keeps references
+/// to its arguments.
 class MeshBatches {
 public:
-    /// `items`: what passes will go over in all, for the progress.
+    /// `items`: the total number of items of all passes, for the progress.
     MeshBatches(const std::filesystem::path& file, std::size_t items, const WorkContext& context)
         : m_file(file), m_items(items), m_context(context) {}
 
-    /// Calls append(std::string&, item) for each item, and `out.write` for what that gave. Error: stopped.
+    /// Calls append(std::string&, item) for each item, and `out.write` with the result. Error: stopped.
     template<class Item, class Append, class Out>
     Result<void> pass(const std::vector<Item>& items, Out& out, Append&& append) {
         for (std::size_t begin = 0; begin < items.size(); begin += kBatch) {
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    /// Items between two looks at the context: about a millisecond of work.
+    /// Items between two checks of the context: about a millisecond of work.
     static constexpr std::size_t kBatch = 8192;
 
     [[nodiscard]] tl::unexpected<Diagnostics> cancelled() const;
@@ -71,9 +71,9 @@ private:
     std::string m_text;
 };
 
-/// Lets body(out) write into a file that was just opened, and commits it. A file that could not be opened
-/// costs no work; one that fails later is still told every byte, so that its message names how many are
-/// needed.
+/// Calls body(out) to write into a file that was just opened, and commits it. If the file could not be
+/// opened, no work is done; if it fails later, all bytes are still passed to it, so that its message can say
+/// how many are needed.
 template<class Out, class Body>
 [[nodiscard]] Result<WrittenFile> writeWhole(Out& out, const TriangleMesh& mesh, const WorkContext& context,
                                              Body&& body) {

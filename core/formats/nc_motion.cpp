@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kFlushAt = 1 << 16;
 constexpr std::size_t kLongestSource = 252;
 
-/// To a picometre, as the form does; without "-0".
+/// Rounded to a picometre, as the format does; without "-0".
 double rounded(double value) {
     if (std::abs(value) > 1e6)
         return value;
@@ -71,7 +71,7 @@ private:
         return fmt::format("[{},{},{}]", rounded(v.x), rounded(v.y), rounded(v.z));
     }
 
-    /// Events and messages that come before motion `index`; among each other in the order of their lines.
+    /// Writes events and messages that come before motion `index`, ordered by line.
     void writeUpTo(std::size_t index) {
         const auto& events = m_program.events();
         const auto& messages = m_program.diagnostics();

@@ -27,7 +27,7 @@ std::string shapeText(const std::vector<std::uint64_t>& shape) {
     return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
 }
 
-/// What of the header this program can use, and how many values there must be.
+/// Checks that this program supports the header, and returns how many values there must be.
 Result<std::size_t> checkHeader(const NpyHeader& header, std::size_t bytes) {
     if (header.type != "<f4" && header.type != "<f8")
         return failure(array_finding::kNpyType, {header.type});
@@ -38,7 +38,7 @@ Result<std::size_t> checkHeader(const NpyHeader& header, std::size_t bytes) {
         return failure(array_finding::kNpyShape, {shapeText(shape)});
     const std::size_t size = header.type == "<f4" ? sizeof(float) : sizeof(double);
     const std::size_t present = (bytes - header.dataStart) / size;
-    // In double: the product of two hostile numbers may not fit 64 bits.
+    // In double, because the product of two hostile numbers may not fit 64 bits.
     const double wanted = static_cast<double>(shape[0]) * static_cast<double>(shape[1]);
     if (wanted > static_cast<double>(present))
         return failure(array_finding::kNpyCutOff,

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// A two-dimensional array of NumPy: shape (rows, columns), C order.
+/// A two-dimensional NumPy array: shape (rows, columns), C order.
 struct NpyArray {
     int rows = 0;
     int columns = 0;
@@ -19,15 +19,16 @@ struct NpyArray {
 };
 
 /// Reads little-endian float32 or float64, C order, two dimensions, format versions 1 to 3; anything else is
-/// an error that names it. Every value must be finite and within float32, for these arrays are heights.
+/// an error that names it. Every value must be finite and within the range of float32, because these arrays
+/// are heights.
 [[nodiscard]] Result<NpyArray> readNpy(const std::filesystem::path& file);
 
-/// Writes float32, atomically. `fill(row, values)` is called once a row, in ascending order, so that the
-/// array need not be held.
+/// Writes float32, atomically. `fill(row, values)` is called once per row, in ascending order, so that the
+/// array need not be in memory.
 [[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
                                     const std::function<void(int, std::span<float>)>& fill);
 
-/// The same of unsigned 32-bit integers.
+/// The same for unsigned 32-bit integers.
 [[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
                                     const std::function<void(int, std::span<std::uint32_t>)>& fill);
 

@@ -16,7 +16,7 @@ constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::size_t kVersionEnd = 8;
 constexpr std::size_t kAlignment = 64;
 
-/// Reads the few forms of Python literals that NumPy writes. The first failure sticks.
+/// Reads the few forms of Python literals that NumPy writes. The first error is kept.
 class LiteralReader {
 public:
     explicit LiteralReader(std::string_view text) : m_text(text) {}
@@ -28,7 +28,7 @@ public:
         return m_at == m_text.size();
     }
 
-    /// Takes `token` if it stands here.
+    /// Consumes `token` if it comes next.
     bool accept(std::string_view token) {
         skipSpaces();
         if (m_failed || !m_text.substr(m_at).starts_with(token))
@@ -71,7 +71,7 @@ public:
             return 0;
         }
         m_at = static_cast<std::size_t>(end - m_text.data());
-        accept("L"); // Python 2 wrote long integers so
+        accept("L"); // the suffix of long integers in Python 2
         return value;
     }
 
@@ -104,7 +104,7 @@ tl::unexpected<Diagnostics> badHeader(std::size_t offset) {
     return failure(array_finding::kNpyHeader, {std::to_string(offset)});
 }
 
-/// The dictionary at `start`; each key exactly once.
+/// Reads the dictionary at `start`; each key must occur exactly once.
 Result<NpyHeader> readDictionary(std::string_view text, std::size_t start) {
     NpyHeader header;
     LiteralReader literal(text);
@@ -150,7 +150,7 @@ Result<NpyHeader> readNpyHeader(std::string_view bytes) {
     const int version = static_cast<unsigned char>(bytes[kMagic.size()]);
     if (version < 1 || version > 3)
         return failure(array_finding::kNpyVersion, {std::to_string(version)});
-    // Version 1 has two bytes for the length of the dictionary, later ones four.
+    // Version 1 has two bytes for the length of the dictionary, later versions four.
     const std::size_t textStart = kVersionEnd + (version == 1 ? 2 : 4);
     if (bytes.size() < textStart)
         return badHeader(bytes.size());

@@ -20,11 +20,11 @@ struct NpyHeader {
     std::size_t dataStart = 0; ///< offset of the first value
 };
 
-/// Reads the header at the start of `bytes`. Errors: no NPY file, unknown version, cut off, a dictionary that
-/// is not NumPy's.
+/// Reads the header at the start of `bytes`. Errors: not an NPY file, unknown version, truncated, a
+/// dictionary that is not NumPy's.
 [[nodiscard]] Result<NpyHeader> readNpyHeader(std::string_view bytes);
 
-/// A version 1 header for values of `type` in C order, padded so that they start at a multiple of 64.
+/// A version 1 header for values of `type` in C order, padded so that the values start at a multiple of 64.
 [[nodiscard]] std::string npyHeader(int rows, int columns, std::string_view type);
 
 } // namespace proveout

@@ -14,7 +14,7 @@ namespace proveout {
 
 namespace {
 
-constexpr std::uint64_t kSizeLimit = 64'000'000; ///< bytes; some millions of points
+constexpr std::uint64_t kSizeLimit = 64'000'000; ///< bytes; enough for some millions of points
 constexpr std::string_view kSeparators = " \t,;\r";
 
 Diagnostics about(const FindingRow& row, int line, const std::filesystem::path& file) {
@@ -23,7 +23,7 @@ Diagnostics about(const FindingRow& row, int line, const std::filesystem::path& 
     return errors;
 }
 
-/// The numbers of a line, at most four; nothing where something else stands there.
+/// The numbers of a line, at most four; nothing if it contains anything else.
 std::optional<std::vector<double>> numbersOf(std::string_view line) {
     std::vector<double> numbers;
     while (true) {

@@ -10,9 +10,9 @@
 namespace proveout {
 
 /// Reads closed loops of lines and arcs. Each line of the text is a point, `X Y` or `X Y BULGE`
-/// (OutlinePoint), parted by blanks, tabs, commas or semicolons; an empty line begins another loop; what
-/// follows `#` is a comment. Errors, with the line: what is no two or three finite numbers, a loop of less
-/// than two points, a file larger than any outline, no point at all.
+/// (OutlinePoint), separated by blanks, tabs, commas or semicolons; an empty line begins another loop; text
+/// after `#` is a comment. Errors, with the line: anything that is not two or three finite numbers, a loop of
+/// less than two points, a file larger than any outline, no points.
 [[nodiscard]] Result<std::vector<OutlineLoop>> readOutline(const std::filesystem::path& file);
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads and writes `SHAPE:key=value,…` by the rows of the table of stock shapes.
+// Reads and writes `SHAPE:key=value,…` according to the table of stock shapes.
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ tl::unexpected<Diagnostics> unknownKey(const StockShapeRow& row, std::string_vie
                    {std::string(part.substr(0, part.find('='))), listOf(row.fields)});
 }
 
-/// A part that begins with no key belongs to the file name before it, which held a comma.
+/// A part that does not begin with a key belongs to the file name before it, which contained a comma.
 Result<std::vector<Assignment>> split(const StockShapeRow& row, std::string_view text) {
     std::vector<Assignment> out;
     while (!text.empty()) {

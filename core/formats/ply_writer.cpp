@@ -15,7 +15,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies in memory");
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "a vertex is written as it lies in memory");
 
-/// Signed indices are what most readers know best; the bits are the same as long as they suffice.
+/// Signed indices are the type that most readers support; the bits are the same as long as they suffice.
 std::string header(const TriangleMesh& mesh) {
     const bool signedSuffices = mesh.vertices.size() <= std::numeric_limits<std::int32_t>::max();
     return fmt::format("ply\n"

@@ -15,10 +15,10 @@ namespace proveout {
 
 namespace {
 
-/// Writing takes longer than measuring.
+/// The share of measuring in the progress; writing takes longer.
 constexpr double kMeasured = 0.3;
 
-/// With as few digits as tell the value from the other one.
+/// With the fewest digits that distinguish the value from the other one.
 std::string distinguished(double value, double other) {
     constexpr int kFewest = 4;
     for (int digits = kFewest; digits < std::numeric_limits<double>::max_digits10; ++digits)

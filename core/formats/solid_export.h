@@ -11,16 +11,17 @@
 
 namespace proveout {
 
-/// A solid that was written, and how far what the file holds lies from the z-map.
+/// A solid that was written, and how far the contents of the file deviate from the z-map.
 struct ExportedSolid {
     WrittenFile file;
     double largestErrorMm = 0; ///< measureSolidError() of the coordinates in the file
     Diagnostics warnings;
 };
 
-/// Writes a solid of closeSolid(zmap, …) and measures what the file holds at the given level. A warning (id
-/// "export-rounded-beyond") says where the rounding of coordinates, and not the decimation, has led beyond
-/// the error allowance (mm; 0: none was given). Any thread. Errors: those of the writer, cancelled.
+/// Writes a solid of closeSolid(zmap, …) and measures the contents of the file at the given level. A warning
+/// (id "export-rounded-beyond") reports when the error exceeds the allowance (mm; 0: none was given) because
+/// of the rounding of coordinates rather than the decimation. Any thread. Errors: those of the writer,
+/// cancelled.
 [[nodiscard]] Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
                                                 const TriangleMesh& solid, const ZMapSnapshot& zmap,
                                                 double allowance, ErrorLevel level,

@@ -23,8 +23,8 @@ tl::unexpected<Diagnostics> unexpectedWord(const StlWord& word, const char* want
     return failed;
 }
 
-/// from_chars does not tell too large from too small: a facet with the first is counted as not finite, the
-/// second is zero.
+/// from_chars does not distinguish too large from too small: a facet with a too large number counts as not
+/// finite, a too small number is zero.
 float outOfRange(std::string_view number) {
     const auto exponent = number.find_first_of("eE");
     const bool tiny = exponent != std::string_view::npos && number.substr(exponent + 1).starts_with('-');
@@ -104,7 +104,7 @@ private:
             const StlWord word = m_words.next();
             const char* first = word.text.data();
             const char* last = first + word.text.size();
-            if (first != last && *first == '+') // from_chars takes no plus
+            if (first != last && *first == '+') // from_chars does not accept a plus
                 ++first;
             double number = 0;
             const auto [end, error] = std::from_chars(first, last, number);

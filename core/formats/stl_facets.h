@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the two encodings of STL are read into before vertices are joined.
+// The facets of either encoding of STL before vertices are joined.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-/// A facet as the file has it: its normal and its three corners.
+/// A facet as in the file: its normal and its three corners.
 using StlFacet = std::array<std::array<float, 3>, 4>;
 
 struct StlFacets {
@@ -18,8 +18,9 @@ struct StlFacets {
     Diagnostics warnings;
 };
 
-/// Reads the text of an ASCII STL, several solids in a row included. Key words may have any case, white space
-/// is that of StlWords. Errors have line and column; a missing `endsolid` is a warning. Linear in the text.
+/// Reads the text of an ASCII STL, including several solids in a row. Case of keywords is ignored, white
+/// space is that of StlWords. Errors have line and column; a missing `endsolid` is a warning. Linear in the
+/// text.
 [[nodiscard]] Result<StlFacets> readAsciiFacets(std::string_view text);
 
 } // namespace proveout

@@ -21,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is read as it lies in memory");
 
-constexpr std::size_t kHeaderSize = 84; ///< text and count
+constexpr std::size_t kHeaderSize = 84; ///< bytes of text and count
 constexpr std::size_t kFacetSize = 50;
 
 std::uint64_t announcedCount(std::string_view bytes) {
@@ -42,7 +42,7 @@ bool isText(std::string_view bytes) {
     });
 }
 
-/// The size rule comes first: many programs write "solid" into binary headers too.
+/// The size rule is checked first: many programs write "solid" into binary headers too.
 bool isBinaryBySize(std::string_view bytes) {
     return bytes.size() >= kHeaderSize && bytes.size() == kHeaderSize + kFacetSize * announcedCount(bytes);
 }
@@ -71,7 +71,7 @@ Result<StlFacets> readFacets(std::string_view bytes, StlEncoding& encoding) {
     encoding = StlEncoding::binary;
     if (isBinaryBySize(bytes))
         return readBinaryFacets(bytes);
-    // Text in the first kilobyte and no "solid", or the magic number of an archive: no STL of any kind.
+    // Text in the first kilobyte without "solid", or the magic number of an archive: not an STL of any kind.
     const auto head = bytes.substr(0, 1024);
     if (startsWithSolid(bytes) && isText(head)) {
         encoding = StlEncoding::ascii;
@@ -94,7 +94,7 @@ Vec3 exact(const std::array<float, 3>& point) {
     return {point[0], point[1], point[2]};
 }
 
-/// Adds one facet, or counts why it was left out.
+/// Adds one facet, or counts why it was skipped.
 void add(const StlFacet& facet, VertexWelder& welder, StlContents& contents) {
     if (!isFinite(facet)) {
         ++contents.notFinite;

@@ -14,15 +14,15 @@ namespace proveout {
 
 namespace {
 
-/// Coordinates with a coarser float32 step than this (mm) no longer hold the detail of a part.
+/// Coordinates with a coarser float32 step than this (mm) no longer represent the detail of a part.
 constexpr double kCoarseStep = 1e-3;
-/// Sizes of parts, mm: smaller ones are likely to be in metres, larger ones in micrometres. No three-axis
-/// mill moves farther than some metres.
+/// Sizes of parts, mm: smaller ones are probably in metres, larger ones in micrometres. No three-axis mill
+/// moves farther than some metres.
 constexpr double kLeastPart = 2;
 constexpr double kLargestPart = 5'000;
 
-/// A count of an STL that is a warning where it is not 0. Its sentence has the count and the number of facets
-/// in the file.
+/// A count of an STL that is reported as a warning if it is not 0. Its sentence has the count and the number
+/// of facets in the file.
 struct CountRow {
     const FindingRow* finding;
     std::size_t (*count)(const StlContents& contents);
@@ -64,7 +64,7 @@ void warnOfSize(const Vec3& size, Diagnostics& warnings) {
     }
     if (largest >= kLeastPart && largest <= kLargestPart)
         return;
-    // STL has no unit; a factor of 1000 either way is a unit that was mistaken.
+    // STL has no unit; a factor of 1000 either way indicates a mistaken unit.
     const double factor = largest < kLeastPart ? 1000 : 0.001;
     const FindingRow& row =
         largest < kLeastPart ? mesh_finding::kStlSizeSuspectSmall : mesh_finding::kStlSizeSuspectLarge;

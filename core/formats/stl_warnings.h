@@ -5,7 +5,7 @@
 
 namespace proveout {
 
-/// Adds to the warnings of `contents` what its counts, its defects and its size show.
+/// Adds warnings to `contents` according to its counts, its defects and its size.
 void warnOfStl(StlContents& contents);
 
 } // namespace proveout

@@ -10,10 +10,10 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kLongestWord = 1'000'000; ///< bytes that a message marks
+constexpr std::size_t kLongestWord = 1'000'000; ///< the most bytes that a message marks
 
-/// White space beyond ASCII, the byte order mark at the end. Bytes that are not UTF-8 count as themselves, so
-/// that the hard space of Latin-1 is one too.
+/// White space beyond ASCII, with the byte order mark last. Bytes that are not UTF-8 count as themselves, so
+/// that the no-break space of Latin-1 is included.
 constexpr std::array<char32_t, 19> kSpaces{0x85,   0xa0,   0x1680, 0x2000, 0x2001, 0x2002, 0x2003,
                                            0x2004, 0x2005, 0x2006, 0x2007, 0x2008, 0x2009, 0x200a,
                                            0x2028, 0x2029, 0x202f, 0x3000, 0xfeff};
@@ -30,7 +30,7 @@ bool isAscii(char c) {
     return static_cast<unsigned char>(c) < 0x80;
 }
 
-/// The bytes of the white-space character at the begin of the text; 0: there is none.
+/// The length in bytes of the white-space character at the beginning of the text; 0: there is none.
 std::size_t spaceLength(std::string_view text) {
     if (text.empty())
         return 0;
@@ -63,7 +63,7 @@ StlWord StlWords::next() {
     StlWord word;
     word.where = {m_line, static_cast<int>(m_at - m_lineStart) + 1, 0};
     const std::size_t start = m_at;
-    // By characters: the second byte of one may look like a hard space of Latin-1.
+    // By characters: the second byte of a character may look like a no-break space of Latin-1.
     while (m_at < m_text.size() && spaceHere() == 0)
         m_at += isAscii(m_text[m_at]) ? 1 : firstCharacter(m_text.substr(m_at)).length;
     word.text = m_text.substr(start, m_at - start);
@@ -91,8 +91,8 @@ bool StlWords::lineEndsHere() const {
     return m_at >= m_text.size() || isLineEnd(m_text[m_at]);
 }
 
-/// More than the word alone, which a name may hold. Asks for the first letter first, because each word of a
-/// long name is asked.
+/// Checks more than the keyword alone, which a name may contain. Checks the first letter first, because this
+/// is called for each word of a long name.
 bool StlWords::facetBeginsHere() const {
     if (lower(m_text[m_at]) != 'f')
         return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of an ASCII STL. Lines end in LF, CR LF or CR alone; white space is that of ASCII and Unicode,
-// the byte order mark included.
+// Splits an ASCII STL into words. Lines end in LF, CR LF or CR alone; white space is that of ASCII and
+// Unicode, including the byte order mark.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ struct StlWord {
     std::string_view text;
     TextRange where;
 
-    /// `key` is in lower case; the word may have any.
+    /// `key` is in lower case; case of the word is ignored.
     [[nodiscard]] bool is(std::string_view key) const;
 };
 
-/// What follows the white space, in UTF-8, at the begin of the text.
+/// The text without the white space, in UTF-8, at its beginning.
 [[nodiscard]] std::string_view withoutLeadingSpace(std::string_view text);
 
-/// Cuts the text into words and counts lines. Value type: a copy looks ahead.
+/// Splits the text into words and counts lines. Value type: use a copy to look ahead.
 class StlWords {
 public:
     explicit StlWords(std::string_view text) : m_text(text) {}
@@ -30,8 +30,8 @@ public:
     /// The next word; an empty one at the end.
     [[nodiscard]] StlWord next();
 
-    /// Skips the name after `solid` or `endsolid`: the rest of the line, whatever it holds, but for the first
-    /// facet of a solid that is written on the same line. True: such a facet is next.
+    /// Skips the name after `solid` or `endsolid`: the rest of the line, except the first facet of a solid
+    /// that is written on the same line. True: such a facet is next.
     [[nodiscard]] bool skipName();
 
 private:

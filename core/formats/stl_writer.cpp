@@ -49,20 +49,20 @@ Vec3 normalized(const Vec3& normal) {
     return length > 0 ? normal / length : Vec3(0);
 }
 
-/// Turns triangles into facets and counts those that lose their area or turn over on the way.
+/// Turns triangles into facets and counts those that lose their area or turn over by the rounding.
 class Rounding {
 public:
-    /// Vertices that may meet are looked for in so many passes, each over a part of them, because a welder of
-    /// all would take as much memory as the mesh.
+    /// Vertices that may merge are searched in this many passes, each over a part of them, because a welder
+    /// of all would need as much memory as the mesh.
     static constexpr std::size_t kParts = 8;
 
     explicit Rounding(const TriangleMesh& mesh) : m_mesh(mesh), m_coarse(isCoarse(mesh)) {}
 
-    /// Whether vertices may meet: only where steps of float32 come near the spacing of a grid, for the gaps
-    /// that closeSolid() leaves hold at any distance. Then all of them are to be looked at.
+    /// Whether vertices may merge: only where steps of float32 come near the spacing of a grid, because the
+    /// gaps that closeSolid() leaves are preserved at any distance. If true, all of them must be checked.
     [[nodiscard]] bool verticesMayMeet() const { return m_coarse; }
 
-    /// The vertices in the order of the mesh, kParts times.
+    /// Call it for the vertices in the order of the mesh, kParts times.
     void look(const Vec3& vertex) {
         const Point rounded = toFloat(inFile(vertex));
         if (partOf(rounded) == m_part) {
@@ -107,7 +107,7 @@ private:
         std::uint32_t mixed = 0;
         for (const float value : rounded)
             mixed = (mixed ^ std::bit_cast<std::uint32_t>(value + 0.0F)) * 0x9e3779b9U;
-        return mixed >> 29U; // 3 bits: kParts
+        return mixed >> 29U; // 3 bits for kParts
     }
 
     void beginPart(std::size_t part) {
@@ -120,10 +120,10 @@ private:
     const TriangleMesh& m_mesh;
     bool m_coarse;
     VertexWelder m_welder{0};
-    std::vector<std::uint32_t> m_first; ///< by place in float32, the vertex that was there first
+    std::vector<std::uint32_t> m_first; ///< by index of the float32 position: the first vertex that was there
     std::size_t m_part = 0;
     std::uint32_t m_looked = 0;
-    std::uint64_t m_met = 0; ///< lie apart and fall together in float32
+    std::uint64_t m_met = 0; ///< vertices that are distinct but have equal float32 positions
     std::uint64_t m_lost = 0;
 };
 
@@ -134,7 +134,7 @@ void appendBinary(std::string& out, const Facet& facet) {
     std::memcpy(out.data() + start, facet.data(), sizeof(Facet));
 }
 
-/// fmt writes the shortest digits that read back as the same float, with a point in every locale.
+/// fmt writes the shortest digits that read back as the same float, with a decimal point in every locale.
 void appendAscii(std::string& out, const Facet& facet) {
     auto to = std::back_inserter(out);
     fmt::format_to(to, "facet normal {} {} {}\n outer loop\n", facet[0][0], facet[0][1], facet[0][2]);
@@ -146,7 +146,7 @@ void appendAscii(std::string& out, const Facet& facet) {
 std::string opening(StlEncoding encoding, std::size_t count) {
     if (encoding == StlEncoding::ascii)
         return "solid proveout\n";
-    // Not "solid …": readers that look at the first word alone must not take it for ASCII.
+    // Not "solid …": readers that check only the first word must not mistake it for ASCII.
     std::string header = "Proveout, binary STL, mm";
     header.resize(kHeaderSize, ' ');
     const auto announced = static_cast<std::uint32_t>(count);
@@ -155,7 +155,7 @@ std::string opening(StlEncoding encoding, std::size_t count) {
     return header;
 }
 
-/// 0 where it depends on the digits.
+/// 0 if it depends on the digits.
 std::uint64_t expectedBytes(StlEncoding encoding, std::size_t count) {
     return encoding == StlEncoding::ascii
                ? 0

@@ -23,14 +23,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "heights are written as they lie in memory");
 
-/// 2: the position has fields of its own names.
+/// 2: the position has separate fields.
 constexpr int kSchema = 2;
 constexpr const char* kDescription = "stock.json";
 constexpr const char* kHeights = "heights.npy";
 constexpr std::string_view kHeightType = "<f4";
 constexpr std::size_t kDescriptionLimit = 65536; ///< bytes; a description has a few hundred
 constexpr int kDepthLimit = 8;
-constexpr double kZip64From = 4e9; ///< bytes of an entry
+constexpr double kZip64From = 4e9; ///< size of an entry in bytes
 
 constexpr JsonRange kSize{0, 1e7, true};    ///< mm
 constexpr JsonRange kPoints{2, 2147483647}; ///< along a side
@@ -110,7 +110,7 @@ Result<Description> parse(std::string_view text) {
     return d;
 }
 
-/// The grid that the description makes must be the one that it tells.
+/// The grid computed from the description must be the one that it states.
 Result<Grid> gridOf(const Description& d) {
     auto grid = makeGrid(d.stock, d.spacing);
     if (!grid)
@@ -119,7 +119,7 @@ Result<Grid> gridOf(const Description& d) {
         return failure(
             stock_finding::kStockGridDiffers,
             {std::to_string(d.nx), std::to_string(d.ny), std::to_string(grid->nx), std::to_string(grid->ny)});
-    // The heights as they are read, beside the map that they become.
+    // Memory for the heights as they are read, in addition to the map that they become.
     if (auto fits = checkMemory(d.stock, *grid, static_cast<double>(memoryLimitBytes())); !fits)
         return tl::unexpected(std::move(fits.error()));
     return grid;
@@ -188,8 +188,7 @@ Result<void> writeStock(const std::filesystem::path& file, const ZMapSnapshot& z
     std::string text;
     try {
         text = textOf({zmap.stock(), grid.nx, grid.ny, spacing, provenance});
-    } catch (
-        const nlohmann::json::type_error&) { // dump() knows no other way to refuse bytes that are no UTF-8
+    } catch (const nlohmann::json::type_error&) { // the way in which dump() refuses bytes that are not UTF-8
         return failure(stock_finding::kStockNotUtf8, {}, file.string());
     }
     const double bytes = 4.0 * grid.nx * grid.ny;
@@ -214,7 +213,7 @@ Result<SavedStockFile> readStock(const std::filesystem::path& file) {
     if (!saved) {
         for (Diagnostic& error : saved.error()) {
             error.file = file.string();
-            error.where = {}; // that of a text within the file
+            error.where = {}; // it refers to a text within the file
         }
     }
     return saved;

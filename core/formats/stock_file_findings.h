@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stocks as text, as outlines and as saved by Proveout.
+// Findings about stocks as text, as outlines and as saved by Proveout.
 #pragma once
 
 #include <array>

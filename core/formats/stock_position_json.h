@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a stock is, in the JSON of jobs and of saved stocks. Inside the room only.
+// The position of a stock in the JSON of jobs and of saved stocks. Internal to this library.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,8 +14,8 @@ namespace proveout {
 
 inline constexpr JsonRange kPosition{-setup_field::kFarthest, setup_field::kFarthest}; ///< mm
 
-/// The fields minX, minY and topZ; nothing where there is none of them. Format 1 has them as one point,
-/// "corner", whose Z is the top too; both at once are an error.
+/// The fields minX, minY and topZ; nothing if all are missing. Format 1 has them as one point, "corner",
+/// whose Z is the top too; both at once are an error.
 [[nodiscard]] std::optional<Vec3> readStockPosition(JsonFields& fields);
 void writeStockPosition(nlohmann::ordered_json& out, const StockBox& stock);
 

@@ -47,7 +47,8 @@ void appendTriangle(std::string& out, const std::array<std::uint32_t, 3>& triang
     out += "\"/>\n";
 }
 
-/// More than the longest numbers take, 24 digits and signs of a double and 10 digits of an index.
+/// The lengths are upper bounds for the longest numbers: 24 digits and signs of a double and 10 digits of an
+/// index.
 bool mayReachFourGigabytes(const TriangleMesh& mesh) {
     constexpr std::uint64_t kLongestVertex = 104;
     constexpr std::uint64_t kLongestTriangle = 72;

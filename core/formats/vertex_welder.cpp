@@ -15,7 +15,8 @@ std::uint64_t hashOf(const std::array<float, 3>& point) {
     std::uint64_t hash = 0;
     for (const float value : point) {
         hash ^= std::bit_cast<std::uint32_t>(value);
-        hash *= 0x9e3779b97f4a7c15U; // the golden ratio spreads grids, whose low bits are all alike
+        hash *= 0x9e3779b97f4a7c15U; // the golden ratio spreads the points of grids, whose low bits are all
+                                     // alike
         hash ^= hash >> 32;
     }
     return hash;
@@ -26,7 +27,7 @@ std::uint64_t hashOf(const std::array<float, 3>& point) {
 VertexWelder::VertexWelder(std::size_t expectedPoints)
     : m_slots(std::bit_ceil(std::max<std::size_t>(16, 2 * expectedPoints)), kFree) {}
 
-/// The slot that holds the point, or the free one where it belongs.
+/// The slot that holds the point, or the free one for it.
 std::size_t VertexWelder::slotOf(const std::array<float, 3>& point) const {
     const std::size_t mask = m_slots.size() - 1;
     std::size_t slot = hashOf(point) & mask;

@@ -25,7 +25,7 @@ private:
     void grow();
 
     std::vector<std::array<float, 3>> m_points;
-    std::vector<std::uint32_t> m_slots; ///< a power of two of them
+    std::vector<std::uint32_t> m_slots; ///< their number is a power of two
 };
 
 } // namespace proveout

@@ -12,11 +12,11 @@ namespace proveout {
 
 namespace {
 
-/// A mesh as XML shrinks to a fifth or a sixth at the lowest level. The default level saves a quarter of that
+/// A mesh as XML shrinks to a fifth or a sixth at the lowest level. The default level saves another quarter
 /// and is four times as slow.
 constexpr const char* kCompression = "zip:compression-level=1";
 
-/// Never tells the archive of an error: the file remembers it, and learns how many bytes were needed.
+/// Never reports an error to the archive: the file keeps it, and counts how many bytes were needed.
 la_ssize_t writeInto(archive* /*from*/, void* file, const void* bytes, std::size_t count) {
     static_cast<AtomicFile*>(file)->write(bytes, count);
     return static_cast<la_ssize_t>(count);
@@ -31,13 +31,13 @@ ZipFile::ZipFile(std::filesystem::path target, bool zip64)
     check(archive_write_set_format_zip(m_archive));
     check(archive_write_set_options(m_archive, kCompression));
     check(archive_write_set_options(m_archive, zip64 ? "zip:zip64" : "zip:!zip64"));
-    check(archive_write_set_bytes_in_last_block(m_archive, 1)); // no zeros behind the end
+    check(archive_write_set_bytes_in_last_block(m_archive, 1)); // no padding with zeros at the end
     check(archive_write_open(m_archive, &m_out, nullptr, writeInto, nullptr));
 }
 
 ZipFile::~ZipFile() {
-    // Completes the archive first, where commit() has not, into a file that is thrown away: told to give up
-    // (archive_write_fail), libarchive 3.6 would never free what the compression holds.
+    // If commit() was not called, this completes the archive into a file that is discarded: if asked to abort
+    // (archive_write_fail), libarchive 3.6 would never free the memory of the compression.
     archive_write_free(m_archive);
 }
 

@@ -13,22 +13,22 @@ struct archive;
 
 namespace proveout {
 
-/// A ZIP archive, written front to back into an AtomicFile: nothing is held but what the compression needs,
-/// and the archive appears whole or not at all. No times are stored, so equal entries give equal bytes.
-/// Owned by one thread. Errors: kept and told by `commit()`; writing after one is harmless.
+/// A ZIP archive, written front to back into an AtomicFile: only the memory of the compression is needed, and
+/// the archive appears whole or not at all. No times are stored, so equal entries give equal bytes. Owned by
+/// one thread. Errors: kept and reported by `commit()`; writing after an error is harmless.
 class ZipFile {
 public:
-    /// `zip64`: whether an entry may reach 4 GB. Not all readers know that form, so it is asked for only
-    /// where it is needed.
+    /// `zip64`: whether an entry may reach 4 GB. Not all readers support that form, so it is used only where
+    /// it is needed.
     ZipFile(std::filesystem::path target, bool zip64);
     ZipFile(const ZipFile&) = delete;
     ZipFile& operator=(const ZipFile&) = delete;
     ~ZipFile();
 
-    /// What is written from now on belongs to the entry of this name (ASCII).
+    /// Everything written from now on belongs to the entry with this name (ASCII).
     void beginEntry(const char* name);
     void write(std::string_view bytes);
-    /// Of the archive, so far.
+    /// Bytes of the archive written by now.
     [[nodiscard]] std::uint64_t bytesWritten() const { return m_out.bytesWritten(); }
     [[nodiscard]] bool failed() const { return m_out.failed() || !m_problem.empty(); }
 
@@ -41,7 +41,7 @@ private:
     std::filesystem::path m_target;
     AtomicFile m_out;
     archive* m_archive;
-    std::string m_problem; ///< what the compression could not do
+    std::string m_problem; ///< the error of the compression
 };
 
 } // namespace proveout

@@ -20,7 +20,7 @@ constexpr std::size_t kBlock = 65536;
 ZipReader::ZipReader() : m_archive(archive_read_new()) {
     if (m_archive == nullptr)
         throw std::bad_alloc();
-    // By its directory, which says how long an entry is.
+    // Reads the directory of the archive, which gives the length of each entry.
     archive_read_support_format_zip_seekable(m_archive);
 }
 

@@ -11,8 +11,8 @@ struct archive;
 
 namespace proveout {
 
-/// Reads the entries of a ZIP archive, one after the other, and of each no more than is asked for: whatever
-/// an archive says or inflates to, nothing is taken for it here. Owned by one thread.
+/// Reads the entries of a ZIP archive, one after the other, and no more of each than is requested: no memory
+/// is allocated because of what an archive claims or inflates to. Owned by one thread.
 class ZipReader {
 public:
     ZipReader();
@@ -20,12 +20,12 @@ public:
     ZipReader& operator=(const ZipReader&) = delete;
     ~ZipReader();
 
-    /// A regular file. Errors: missing, unreadable, a folder or special file, no ZIP archive.
+    /// Opens a regular file. Errors: missing, unreadable, a folder or special file, not a ZIP archive.
     [[nodiscard]] Result<void> open(const std::filesystem::path& file);
-    /// The name of the next entry; empty where there is none, or none that can be read.
+    /// The name of the next entry; empty if there is none, or none that can be read.
     [[nodiscard]] std::string nextEntry();
-    /// Of the entry, as many bytes as there are, at most `count`; less than `count` only at its end or where
-    /// it is broken, which `intact()` tells apart.
+    /// Reads the next bytes of the entry, at most `count`; less than `count` only at its end or where it is
+    /// damaged, which `intact()` distinguishes.
     [[nodiscard]] std::size_t read(void* bytes, std::size_t count);
     /// Whether the entry ends here, and its checksum is right.
     [[nodiscard]] bool intact();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the paper's curves and the checks of a cost are summed up with.
+// Averages, straight lines and quantiles that summarize the paper's curves and check costs.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace proveout {
 
-/// The mean of every `window` points (the last window may be shorter), at the mean of their places: the lines
-/// of the paper's Fig. 16, with its window of 20 steps.
+/// The mean of every `window` points (the last window may be shorter), at the mean of their x: the lines of
+/// the paper's Fig. 16, with its window of 20 steps.
 [[nodiscard]] std::vector<Vec2> windowAverages(std::span<const Vec2> points, std::size_t window);
 
 /// The two ends of the straight line through the points by least squares: the lines of the paper's Fig. 11.
-/// Empty for fewer than two places.
+/// Empty for fewer than two different x.
 [[nodiscard]] std::vector<Vec2> straightLine(std::span<const Vec2> points);
 
-/// The value below which the share `q` in [0, 1] of the values lies, between two values linearly. NaN for
-/// none.
+/// The value below which the share `q` in [0, 1] of the values is, interpolated linearly. NaN if there are no
+/// values.
 [[nodiscard]] double quantile(std::vector<double> values, double q);
 
-/// Repeated measurements in two numbers.
+/// Repeated measurements, summarized by two numbers.
 struct Measured {
     double median = 0;
-    double spread = 0; ///< distance of the quartiles over the median
+    double spread = 0; ///< distance of the quartiles divided by the median
 };
 [[nodiscard]] Measured measured(const std::vector<double>& values);
 

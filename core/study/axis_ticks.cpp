@@ -9,7 +9,7 @@ namespace proveout {
 
 namespace {
 
-/// The least of 1, 2, 5 times a power of ten that is not below `rough`.
+/// The smallest of 1, 2, 5 times a power of ten that is not below `rough`.
 double niceStep(double rough) {
     const double power = std::pow(10, std::floor(std::log10(rough)));
     for (const double digit : {1.0, 2.0, 5.0})
@@ -34,7 +34,7 @@ std::string tickLabel(double value, double step) {
 }
 
 AxisTicks linearTicks(double lo, double hi, int count) {
-    if (!(hi > lo)) { // one value: some room on both sides
+    if (!(hi > lo)) { // a single value: some margin on both sides
         const double room = lo == 0 ? 1 : std::abs(lo) / 2;
         lo -= room;
         hi += room;

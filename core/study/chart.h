@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart as a value: what a figure of the paper shows, whoever draws it.
+// A chart as a value: the content of a figure of the paper, independent of how it is drawn.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,12 @@ namespace proveout {
 enum class CurveLook : std::uint8_t {
     marked, ///< a few points: a line with a marker at each
     plain,  ///< many points: a line
-    faint,  ///< many points behind a curve that sums them up
-    level,  ///< a dashed line, for what the others are compared with
+    faint,  ///< many points behind a curve that summarizes them
+    level,  ///< a dashed line with which the others are compared
 };
 
-/// Curves of one colour belong together; dash and marker follow the colour, so that none is told by it alone.
+/// Curves of one colour belong together; dash and marker follow the colour, so that curves can be
+/// distinguished without it.
 struct Curve {
     std::string label;
     CurveLook look = CurveLook::marked;
@@ -28,14 +29,14 @@ struct Curve {
 };
 
 struct Chart {
-    std::string id; ///< file name without its ending
+    std::string id; ///< file name without its extension
     std::string title;
-    std::string subtitle; ///< what was held fixed
+    std::string subtitle; ///< the parameters that were held fixed
     std::string xLabel;
     std::string yLabel;
-    std::string rightLabel; ///< empty: no right axis
+    std::string rightLabel; ///< empty: there is no right axis
     bool logarithmicX = false;
-    double topOfLeft = 0; ///< where the left axis ends at most; 0: at the highest point
+    double topOfLeft = 0; ///< the upper limit of the left axis; 0: the highest point
     std::vector<Curve> curves;
 };
 

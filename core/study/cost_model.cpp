@@ -29,7 +29,7 @@ double squares(std::span<const CostSample> samples, const Coefficients& coeffici
     return sum;
 }
 
-/// Solves the normal equations of the terms in `used`; false where they have no one solution.
+/// Solves the normal equations of the terms in `used`; false if they have no unique solution.
 bool solve(std::span<const CostSample> samples, unsigned used, const Coefficients& scale, Coefficients& out) {
     glm::dmat3 normal(1.0); // unused terms: x = 0
     glm::dvec3 right(0.0);
@@ -62,7 +62,8 @@ bool solve(std::span<const CostSample> samples, unsigned used, const Coefficient
 }
 
 Coefficients fitOnce(std::span<const CostSample> samples) {
-    Coefficients scale{1, 1, 1}; // so that the equations know no units: every term has a mean square of 1
+    Coefficients scale{1, 1, 1}; // so that the equations are independent of units: every term has a mean
+                                 // square of 1
     for (std::size_t term = 0; term < kTerms; ++term) {
         double sum = 0;
         for (const CostSample& sample : samples)

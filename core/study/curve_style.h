@@ -9,7 +9,7 @@
 
 namespace proveout {
 
-/// Colours that the colour-blind tell apart (Okabe and Ito), each with its own dash and marker.
+/// Colours that colour-blind readers can distinguish (Okabe and Ito), each with its own dash and marker.
 struct CurveStyle {
     const char* colour;
     const char* dash;
@@ -24,7 +24,7 @@ inline constexpr std::array kCurveStyles{
     return kCurveStyles[static_cast<std::size_t>(std::max(0, curve.colour)) % kCurveStyles.size()];
 }
 
-/// In the words of stroke-dasharray.
+/// As a value of stroke-dasharray.
 [[nodiscard]] inline const char* dashOf(const Curve& curve) {
     if (curve.look == CurveLook::level)
         return "2 3";

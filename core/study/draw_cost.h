@@ -5,8 +5,8 @@
 
 namespace proveout {
 
-/// What it costs to show a frame. The core knows no graphics: the workstation plugs the viewport's own
-/// renderer in, the command line a rate. Used by one thread, the one that runs the study.
+/// The cost of showing a frame. The core has no graphics: the workstation plugs in the viewport's own
+/// renderer, the command line a rate. Used by one thread, the one that runs the study.
 class DrawCost {
 public:
     struct Seconds {
@@ -19,19 +19,19 @@ public:
     DrawCost& operator=(const DrawCost&) = delete;
     virtual ~DrawCost() = default;
 
-    /// Another run begins: nothing of the frames before is on the graphics side any more.
+    /// Starts another run: the graphics side no longer has any of the earlier frames.
     virtual void begin() = 0;
-    /// Shows a frame, waits until it stands, and tells what that took.
+    /// Shows a frame, waits until it is complete, and returns the time that it took.
     [[nodiscard]] virtual Seconds draw(const FramePtr& frame) = 0;
-    /// No run follows on this thread; what it holds is let go.
+    /// No further run follows on this thread; resources are released.
     virtual void end() {}
 };
 
-/// Drawing as the paper speaks of it (section 1): a card that renders so many triangles per second, and costs
-/// nothing else. Not measured, so the same on every machine.
+/// Drawing as the paper describes it (section 1): a card that renders so many triangles per second, and has
+/// no other cost. Not measured, so the same on every machine.
 class RatedDrawing final : public DrawCost {
 public:
-    /// The better end of what the paper grants an advanced card.
+    /// The upper end of the paper's figures for an advanced card.
     static constexpr double kPaperRate = 5e6;
 
     explicit RatedDrawing(double trianglesPerSecond = kPaperRate) : m_rate(trianglesPerSecond) {}

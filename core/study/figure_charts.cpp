@@ -25,7 +25,7 @@ std::string periodText(int period) {
     return fmt::format("s = {}", period);
 }
 
-/// A marked text in the words of the subject, with its numbers.
+/// A marked text, translated for the subject, with its numbers.
 std::string said(const StudySubject& subject, const char* text, const std::vector<std::string>& numbers) {
     return fillIn(subject.words(text), numbers);
 }
@@ -44,7 +44,7 @@ std::string methodText(const StudySubject& subject) {
     return method;
 }
 
-/// Method and region size: what most figures hold fixed.
+/// Method and region size, which most figures hold fixed.
 std::string fixedText(const StudySubject& subject) {
     const std::string cells = std::to_string(subject.base.regionCells);
     return methodText(subject) + ", " +
@@ -59,7 +59,7 @@ double faces(const StudyRun& run) {
     return static_cast<double>(run.count.faces);
 }
 
-/// The whole run at each place, of those that are there.
+/// One point per place, from the whole run, for those runs that exist.
 template<class Value, class PointAt, class Measure>
 std::vector<Vec2> overRuns(std::span<const StudyRun> runs, std::span<const Value> places, PointAt pointAt,
                            Measure measure) {
@@ -70,7 +70,7 @@ std::vector<Vec2> overRuns(std::span<const StudyRun> runs, std::span<const Value
     return points;
 }
 
-/// One value a block.
+/// One value per block.
 template<class Measure>
 std::vector<Vec2> overBlocks(const StudyRun& run, Measure measure) {
     std::vector<Vec2> points;
@@ -88,7 +88,7 @@ double millisecondsOfRow(const StudyRow& row) {
     return 1e3 * double{row.seconds};
 }
 
-/// A dashed line across the curves that are already there.
+/// A dashed line across the curves that exist already.
 void addLevel(Chart& chart, const StudyRun* run, double (*measure)(const StudyRun&), std::string label,
               int colour) {
     if (run == nullptr || chart.curves.empty() || chart.curves.front().points.empty())
@@ -104,7 +104,7 @@ void addLevel(Chart& chart, const StudyRun* run, double (*measure)(const StudyRu
     chart.curves.push_back({std::move(label), CurveLook::level, colour, false, {{lo, y}, {hi, y}}});
 }
 
-/// The allowances whose frames the paper draws one by one: none, the least, the middle, the largest.
+/// The allowances whose frames the paper draws one by one: zero, the smallest, a middle one, the largest.
 constexpr std::array kDrawnAllowances{0.0, 0.01, 0.05, 0.1};
 
 } // namespace
@@ -272,7 +272,7 @@ Chart timesChart(const StudySubject& subject, std::span<const StudyRun> runs) {
         }
         ++colour;
     }
-    chart.topOfLeft = 2.5 * highest; // a single hiccup of the machine must not flatten all else
+    chart.topOfLeft = 2.5 * highest; // a single hiccup of the machine must not flatten everything else
     return chart;
 }
 

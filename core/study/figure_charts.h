@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each figure runs and how it draws that; the two must agree on the points, so they stand side by side.
+// What each figure runs and how it draws the results; the two must agree on the points, so they are in one
+// place.
 #pragma once
 
 #include <cstddef>

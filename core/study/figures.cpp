@@ -12,7 +12,7 @@ namespace proveout {
 
 namespace {
 
-// The paper goes from 5 to 30, and from 0 to 0.1 mm.
+// The paper uses regions of 5 to 30 cells and allowances of 0 to 0.1 mm.
 constexpr std::array kRegions{5, 8, 10, 12, 15, 20, 25, 30, 48, 64, 96, 128};
 constexpr std::array kAllowances{0.0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09, 0.1};
 constexpr std::array kPeriods{1, 2, 5, 10, 15, 20, 30, 40, 50, 75, 100, 200};
@@ -29,7 +29,7 @@ void addOnce(std::vector<StudyPoint>& points, const StudyPoint& point) {
 std::vector<StudyPoint> orderPoints(const StudySubject& subject) {
     std::vector<StudyPoint> points;
     if (subject.base.method != DecimationMethod::lee)
-        return points; // the other methods have no order to choose
+        return points; // the other methods have no removal order to choose
     for (const RemovalOrder order : {RemovalOrder::random, RemovalOrder::sequential})
         for (const int region : studiedRegions(subject.job))
             addOnce(points, orderPoint(subject, order, region));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of the paper that hold data: one row a figure, and the sweeps that feed them.
+// The figures of the paper that show data: one row per figure, and the sweeps that supply them.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@ namespace proveout {
 
 enum class SweepKind : std::uint8_t { order, region, allowance, period, method };
 
-/// The words of a chart in the language of who looks at it; English as they stand.
+/// Translates the texts of a chart into the viewer's language; English ones are returned unchanged.
 using Words = std::string (*)(const char* text);
 [[nodiscard]] std::string englishWords(const char* text);
 
-/// What a study is about: the job, and the parameters that a sweep does not change.
+/// The subject of a study: the job, and the parameters that a sweep does not change.
 struct StudySubject {
     StudyJob job;
     DecimationParameters base;
-    std::string timeLabel; ///< what the seconds of its runs hold, for the axes
+    std::string timeLabel; ///< what the seconds of its runs include, for the axes
     Words words = englishWords;
 };
 
-/// One row a sweep: its name on the command line, and the runs that it is made of.
+/// One row per sweep: its name on the command line, and its runs.
 struct SweepRow {
     SweepKind kind;
     const char* key;   ///< on the command line
@@ -35,29 +35,29 @@ struct SweepRow {
 };
 [[nodiscard]] std::span<const SweepRow> sweepTable();
 
-/// One row a figure. `chart` draws with the runs that are there, so a chart can grow while its sweep runs.
+/// One row per figure. `chart` draws the runs that exist, so a chart can grow while its sweep runs.
 struct FigureRow {
-    const char* id;    ///< stable; file names begin with it
-    const char* paper; ///< which figures of the paper it stands for
+    const char* id;    ///< stable; the beginning of file names
+    const char* paper; ///< the figures of the paper that it corresponds to
     SweepKind sweep;
     const char* title; ///< marked with PROVEOUT_TEXT
     Chart (*chart)(const StudySubject&, std::span<const StudyRun>);
 };
 [[nodiscard]] std::span<const FigureRow> figureTable();
 
-/// A set of parameters that the paper's sweeps are run for.
+/// A set of parameters for which the paper's sweeps are run.
 struct StudyVariant {
-    std::string key; ///< file names end with it
+    std::string key; ///< the end of file names
     DecimationParameters base;
 };
-/// Every method that works region by region, with its standard values, and the paper's method to the letter
-/// (not certified, borders per region); `base` gives the rest.
+/// Every method that works region by region, with its default values, and the exact method of the paper
+/// (not certified, borders per region); other values come from `base`.
 [[nodiscard]] std::vector<StudyVariant> studyVariants(const DecimationParameters& base);
 
-/// The points of some sweeps, each once, in the order of the table.
+/// The points of several sweeps, each once, in the order of the table.
 [[nodiscard]] std::vector<StudyPoint> pointsOf(std::span<const SweepKind> kinds, const StudySubject& subject);
 
-/// The values that the sweeps go through; region sizes beyond the map are left out.
+/// The values that the sweeps use; region sizes larger than the map are omitted.
 [[nodiscard]] std::vector<int> studiedRegions(const StudyJob& job);
 [[nodiscard]] std::span<const int> studiedPeriods();
 [[nodiscard]] std::span<const double> studiedAllowances();

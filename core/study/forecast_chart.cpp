@@ -10,7 +10,7 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kCurves = 4; ///< so that those measured have colours of their own
+constexpr std::size_t kCurves = 4; ///< so that the measured ones have colours of their own
 
 /// Region sizes, the one with the cheapest period first.
 std::vector<int> bestRegions(const Rehearsal& rehearsal) {
@@ -56,7 +56,7 @@ Chart forecastChart(const Rehearsal& rehearsal, std::span<const MeasuredSchedule
         if (point.period > 0)
             chart.curves.push_back(
                 {label, CurveLook::marked, colour++, false, {{double(point.period), point.seconds}}});
-        else // once at the start, or never: no place on the axis
+        else // once at the start, or never: it has no position on the axis
             chart.curves.push_back(
                 {label, CurveLook::level, colour++, false, {{lo, point.seconds}, {hi, point.seconds}}});
     }

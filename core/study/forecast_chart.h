@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-/// What was measured of a region size and period that was also forecast.
+/// A region size and period that was both measured and forecast.
 struct MeasuredSchedule {
     int regionCells;
     int period;
@@ -18,8 +18,8 @@ struct MeasuredSchedule {
     std::string label;
 };
 
-/// Prediction and reality: forecast cost by period, a curve for each of the best region sizes, no decimation
-/// for comparison, and a mark for each run that was measured.
+/// Prediction and measurement: forecast cost by period, with a curve for each of the best region sizes, the
+/// run without decimation for comparison, and a mark for each measured run.
 [[nodiscard]] Chart forecastChart(const Rehearsal& rehearsal, std::span<const MeasuredSchedule> measured,
                                   Words words = englishWords);
 

@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 
-/// Of the cells between the points of a rectangle.
+/// The number of cells between the points of a rectangle.
 double cells(const IndexRect& points) {
     return double(std::max(0, points.width() - 1)) * double(std::max(0, points.height() - 1));
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array kRegions{5, 8, 10, 12, 15, 20, 25, 30, 48, 64, 96, 128};
 constexpr std::array kPeriods{-1, 1, 2, 5, 10, 15, 20, 30, 50, 100, 200, 500};
-constexpr std::size_t kMostRegions = 250'000; ///< of one size; the traces hold some 500 bytes each
+constexpr std::size_t kMostRegions = 250'000; ///< of one size; the traces need some 500 bytes for each
 constexpr std::size_t kBlocksASample = 16;
 constexpr std::size_t kMostSamples = 64;
 constexpr std::size_t kDrawnSizes = 4; ///< region sizes whose frames are drawn
@@ -73,14 +73,15 @@ private:
             if (isDrawn)
                 m_drawn.push_back(m_sizes.back().get());
         }
-        // The others are told from the smallest, whose regions lie in theirs with the least left over.
+        // The other sizes are estimated from the smallest, whose regions fit into theirs with the smallest
+        // remainder.
         const auto cells = [](const auto& size) { return size->parameters().regionCells; };
         if (!m_sizes.empty())
             m_reference = std::ranges::min_element(m_sizes, {}, cells)->get();
         m_drawing.begin();
     }
 
-    /// False where it was stopped.
+    /// False if it was stopped.
     bool cut(const std::stop_token& stop) {
         const StopWatch watch;
         const auto record =
@@ -97,8 +98,7 @@ private:
 
     void sample() {
         RehearsedRegions* turn = m_drawn.empty() ? nullptr : m_drawn[m_samples++ % m_drawn.size()];
-        if (turn !=
-            nullptr) { // the same moment without decimation: nothing else tells so well what faces cost
+        if (turn != nullptr) { // the same moment without decimation, which shows best what faces cost
             const Surface full(m_zmap.grid().nx, m_zmap.grid().ny, turn->parameters());
             drawFrame(turn->parameters(), full.snapshot(), kOtherSurface);
         }
@@ -106,18 +106,18 @@ private:
         for (const auto& size : m_sizes)
             if (size.get() != m_reference)
                 sample(*size, turn);
-        m_drawNext = turn; // one frame more, of an ordinary block
+        m_drawNext = turn; // one more frame, of an ordinary block
     }
 
     void sample(RehearsedRegions& size, const RehearsedRegions* turn) {
-        if (&size == turn) // dirty as it is, and the graphics side comes to know it
+        if (&size == turn) // still dirty, and the graphics side gets to know it
             drawFrame(size.parameters(), size.surface(), kOtherSurface);
         const std::size_t made = size.sample(m_moment, &size == m_reference ? nullptr : m_reference);
         if (&size == turn)
             drawFrame(size.parameters(), size.surface(), static_cast<double>(made));
     }
 
-    /// Draws a surface of this moment after `made` new triangles.
+    /// Draws the surface of this moment after `made` new triangles.
     void drawFrame(const DecimationParameters& parameters, SurfaceSnapshot surface, double made) {
         auto frame = std::make_shared<Frame>();
         frame->block = m_block;

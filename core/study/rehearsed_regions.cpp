@@ -11,13 +11,14 @@ namespace proveout {
 
 namespace {
 
-/// Of the uncut stock: all its regions are alike, but for the narrow ones at the edge.
+/// Number of regions of the uncut stock: all its regions are alike, except the narrow ones at the edge.
 constexpr std::size_t kStartRegions = 16;
 
-/// Of the regions that all schedules of a size decimate, a rehearsal decimates this share.
+/// The share that a rehearsal decimates of the regions that all schedules of a size decimate.
 constexpr double kSampledShare = 0.03;
 
-/// Triangles of the uncut stock's regions: those decimated have theirs, the others as many for their size.
+/// Triangles of the uncut stock's regions: decimated ones have their own, the others as many in proportion to
+/// their size.
 std::vector<double> facesOf(const Surface& surface) {
     const SurfaceSnapshot now = surface.snapshot();
     double made = 0;
@@ -50,7 +51,7 @@ Surface RehearsedRegions::startSurface(const ZMapSnapshot& uncut, const Decimati
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < wanted; ++k)
         chosen.push_back(k * regions / wanted);
-    // The first one finds threads asleep and no storage yet.
+    // The first one wakes sleeping threads and allocates storage.
     const std::size_t first = wanted > 1 ? surface.decimateRegions(std::span(chosen).first(1), uncut) : 0;
     const StopWatch watch;
     surface.decimateRegions(std::span(chosen).subspan(first), uncut, {stop, {}});
@@ -91,7 +92,7 @@ std::size_t RehearsedRegions::sample(const ZMapSnapshot& now, const RehearsedReg
     std::vector<std::size_t> others;
     std::ranges::set_difference(touched, last, std::back_inserter(others));
     others = pick(others, most - last.size());
-    // Some go first, unmeasured: a run decimates so often that it finds its storage in the caches.
+    // Some are decimated first, unmeasured: a run decimates so often that it finds its storage in the caches.
     const std::size_t early = (others.size() + 3) / 4;
     m_surface.decimateRegions(std::span(others).first(early), now);
     measure(std::span(others).subspan(early), now);

@@ -44,7 +44,7 @@ void ScheduleTrace::block(std::span<const std::size_t> touched) {
     }
 }
 
-/// Its mesh, or its points, were shown up to the frame before `until`.
+/// Closes a period: the mesh of the region, or its points, was shown up to the frame before `until`.
 void ScheduleTrace::close(Period& period, std::size_t region, std::uint32_t until) const {
     const Shown& shown = period.regions[region];
     const double frames = until - shown.since;

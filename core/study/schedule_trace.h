@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every period would do to the regions of one size, found out without decimating.
+// The work of every period with the regions of one size, determined without decimating.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace proveout {
 
-/// Follows one run of the cutting and keeps, for every period at once, which regions are dirty. Frames,
-/// moments and regions are counted exactly, as a run with that period has them. Triangles are exact where a
-/// region is drawn from the z-map (its border to a decimated neighbour aside); those of decimated regions are
-/// told from time to time by the caller, and between two such samples are taken to change with each touch by
-/// the same amount. Owned by one thread.
+/// Follows one run of the cutting and records, for every period at once, which regions are dirty. Frames,
+/// moments and regions are counted exactly as in a run with that period. Triangles are exact where a region
+/// is drawn from the z-map (except at its border to a decimated neighbour); those of decimated regions are
+/// sampled now and then by the caller, and between two samples are assumed to change by the same amount with
+/// each touch. Owned by one thread.
 class ScheduleTrace {
 public:
     /// `periods`: as in DecimationParameters, without 0. `startFaces`: triangles of each region after the
@@ -24,11 +24,11 @@ public:
     ScheduleTrace(const RegionGrid& grid, std::span<const int> periods, std::vector<double> startFaces);
 
     [[nodiscard]] const RegionGrid& grid() const { return m_grid; }
-    /// The next block has lowered points of these regions.
+    /// Call it after each block, with the regions whose points it lowered.
     void block(std::span<const std::size_t> touched);
     /// Regions touched since the last sample, ascending.
     [[nodiscard]] std::vector<std::size_t> touchedSinceSample() const;
-    /// Sets the triangles of regions, decimated now: one value for each of touchedSinceSample().
+    /// Sets the triangles of regions that are decimated now: one value for each of touchedSinceSample().
     void sample(std::span<const double> faces);
     /// Regions that the schedules of all periods together have decimated since the start.
     [[nodiscard]] std::uint64_t decimatedByAll() const { return m_decimatedByAll; }
@@ -36,19 +36,19 @@ public:
     [[nodiscard]] WorkCount count(std::size_t k) const;
 
 private:
-    /// What one period makes of one region.
+    /// The state of one region under one period.
     struct Shown {
         bool dirty = false;
         bool fresh = false;        ///< decimated since the last sample: its triangles are not known yet
-        std::uint32_t since = 1;   ///< first frame that shows it so
+        std::uint32_t since = 1;   ///< first frame with this state
         std::uint32_t touches = 0; ///< of the region since the last sample, when it was decimated
-        double faces = 0;          ///< of its mesh, where known
+        double faces = 0;          ///< of its mesh, if known
     };
     /// Frames that showed a mesh whose triangles are not known yet.
     struct Pending {
         std::size_t region;
         std::uint32_t touches;
-        double frames; ///< 0: only that it was made counts
+        double frames; ///< 0: only the making of the mesh counts
         bool made;
     };
     struct Period {

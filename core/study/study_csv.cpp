@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 
-/// As RFC 4180 has it.
+/// Quoted according to RFC 4180.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text)

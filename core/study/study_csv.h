@@ -9,11 +9,11 @@
 
 namespace proveout {
 
-/// The curves of a chart: curve, x, y; a row a point, and every point of the runs, also where a picture has
-/// fewer. Units as in the labels of the axes, which stand in the head.
+/// The curves of a chart: curve, x, y; one row per point, with every point of the runs, even if a picture
+/// shows fewer. Units as in the labels of the axes, which are in the header row.
 [[nodiscard]] std::string chartCsv(const Chart& chart);
 
-/// A row a point of a sweep: parameters, counts, median seconds by phase, and the spread of the totals.
+/// One row per point of a sweep: parameters, counts, median seconds by phase, and the spread of the totals.
 [[nodiscard]] std::string sweepCsv(std::span<const SweptPoint> points);
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameter studies.
+// Findings of parameter studies.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ namespace {
 /// Follows the surface of a run from frame to frame.
 class FaceCounter {
 public:
-    /// Triangles of the meshes that are new since the surface before.
+    /// Triangles of the meshes that are new since the previous surface.
     std::uint64_t facesMade(const SurfaceSnapshot& surface) {
         const std::size_t regions = surface.meshes.size();
         m_meshes.resize(regions);
@@ -24,7 +24,8 @@ public:
             const RegionMeshPtr& mesh = surface.meshes[region];
             if (mesh && mesh != m_meshes[region])
                 made += mesh->triangles.size();
-            if (mesh) // a dirty region keeps its old mesh here: the next one is another object then
+            if (mesh) // a dirty region keeps its old mesh here, so that its next mesh counts as a different
+                      // object
                 m_meshes[region] = mesh;
         }
         return made;
@@ -65,7 +66,7 @@ private:
         if (m_drawing == nullptr)
             return;
         m_drawing->begin();
-        // The first picture is shown before the first block; its upload is the price of beginning.
+        // The first picture is shown before the first block; its upload is counted as part of the start.
         const auto first = m_drawing->draw(std::make_shared<const Frame>(m_simulation->frame()));
         m_run.seconds.upload += first.upload;
         m_run.seconds.draw += first.draw;
@@ -88,7 +89,7 @@ private:
         if (m_drawing != nullptr) {
             if (drawn)
                 m_last = m_drawing->draw(frame);
-            // What was not uploaded for a frame is uploaded with the next; what is not drawn is not made up
+            // Data not uploaded for a frame is uploaded with the next; drawing that is skipped is not made up
             // for.
             m_run.seconds.upload += drawn ? m_last.upload : 0;
             m_run.seconds.draw += m_last.draw;
@@ -99,7 +100,8 @@ private:
         return true;
     }
 
-    /// One block of each m_every, never at the same place: a regular pattern would beat with the period.
+    /// One block of each m_every, never at the same position: a regular pattern would interfere with the
+    /// period.
     [[nodiscard]] bool isDrawn(std::size_t block) const {
         const std::size_t stretch = block / m_every;
         return block == 0 || block % m_every == (stretch * 2654435761U >> 7U) % m_every;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run of a program as in the paper's case studies: every block cut, decimated where it is due, and shown.
+// One run of a program as in the paper's case studies: every block is cut, decimated when due, and shown.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,21 @@
 
 namespace proveout {
 
-/// What is studied. Value type.
+/// The job that is studied. Value type.
 struct StudyJob {
     std::shared_ptr<const Program> program;
     std::shared_ptr<const Setup> setup;
 };
 
-/// The work of a run. It depends on program, set-up and parameters only, never on the machine.
+/// The work of a run. It depends only on program, setup and parameters, never on the machine.
 struct WorkCount {
     std::uint64_t frames = 0;           ///< blocks shown
-    std::uint64_t faces = 0;            ///< triangles shown, added up over the frames
-    std::uint64_t regionsShown = 0;     ///< regions, added up over the frames
-    std::uint64_t moments = 0;          ///< times that something was decimated, the start included
+    std::uint64_t faces = 0;            ///< triangles shown, summed over the frames
+    std::uint64_t regionsShown = 0;     ///< regions, summed over the frames
+    std::uint64_t moments = 0;          ///< times that something was decimated, including the start
     std::uint64_t startRegions = 0;     ///< regions decimated before the first block
-    std::uint64_t regionsDecimated = 0; ///< regions decimated, those of the start included
-    std::uint64_t facesMade = 0;        ///< triangles of the meshes that these decimations gave
+    std::uint64_t regionsDecimated = 0; ///< regions decimated, including those of the start
+    std::uint64_t facesMade = 0;        ///< triangles of the meshes that these decimations made
 
     friend bool operator==(const WorkCount&, const WorkCount&) = default;
 };
@@ -34,7 +34,7 @@ struct WorkCount {
 /// Where the time of a run went, seconds of wall time.
 struct PhaseSeconds {
     double cut = 0;
-    double decimate = 0; ///< the uncut stock at the start included
+    double decimate = 0; ///< including the uncut stock at the start
     double upload = 0;
     double draw = 0;
     double other = 0; ///< finding the regions that were cut, and making the frames
@@ -53,7 +53,7 @@ struct StudyPoint {
     static constexpr std::size_t kAllBlocks = static_cast<std::size_t>(-1);
 
     DecimationParameters parameters;
-    std::size_t blocks = kAllBlocks; ///< how far the program is run
+    std::size_t blocks = kAllBlocks; ///< how many blocks of the program are run
 
     friend bool operator==(const StudyPoint&, const StudyPoint&) = default;
 };
@@ -65,9 +65,9 @@ struct StudyRun {
     std::vector<StudyRow> rows; ///< row k: block k + 1
 };
 
-/// Runs the program. `drawing` may be null: then nothing is drawn. `drawEvery` > 1 draws one block of
-/// each n, for software renderers; the others are charged with the seconds of the last one drawn. Errors: as
-/// Simulation::create(); "study-stopped" where the context was stopped. Takes the calling thread.
+/// Runs the program. `drawing` may be null: then nothing is drawn. `drawEvery` > 1 draws one of every n
+/// blocks, for software renderers; the others are counted with the seconds of the last one drawn. Errors: as
+/// Simulation::create(); "study-stopped" if the context was stopped. Blocks the calling thread.
 [[nodiscard]] Result<StudyRun> runStudy(const StudyJob& job, const StudyPoint& point, DrawCost* drawing,
                                         std::size_t drawEvery = 1, const WorkContext& context = {});
 

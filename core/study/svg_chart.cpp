@@ -16,20 +16,20 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLowPicture = 320; ///< below it, the curves need the place of the title
+constexpr int kLowPicture = 320; ///< if the picture is lower, the curves need the space of the title
 constexpr int kTop = 72;
 constexpr int kLowTop = 26;
 constexpr int kBottom = 58;
 constexpr int kLowBottom = 42;
 constexpr int kLegendRow = 22;
 constexpr int kLowLegendRow = 17;
-constexpr int kLeastSide = 120; ///< of the frame and its margins, whatever is asked for
+constexpr int kLeastSide = 120; ///< of the frame and its margins, regardless of the requested size
 constexpr int kLeft = 92;
 constexpr int kLegendWidth = 214;   ///< at least
-constexpr int kLegendEdge = 70;     ///< of it that is no text
+constexpr int kLegendEdge = 70;     ///< the part of it that is not text
 constexpr int kRightAxisWidth = 78; ///< at least
-constexpr int kRightAxisEdge = 40;  ///< of it that is no label
-constexpr double kHeadRoom = 0.04;  ///< of the height, above the highest point
+constexpr int kRightAxisEdge = 40;  ///< the part of it that is not labels
+constexpr double kHeadRoom = 0.04;  ///< as a part of the height, above the highest point
 
 bool finite(const Vec2& point) {
     return std::isfinite(point.x) && std::isfinite(point.y);
@@ -64,7 +64,7 @@ public:
         if (!m_low)
             title();
         axes();
-        for (const bool faint : {true, false}) // what is summed up lies behind what sums up
+        for (const bool faint : {true, false}) // points are drawn behind the curve that summarizes them
             for (const Curve& curve : m_chart.curves)
                 if ((curve.look == CurveLook::faint) == faint)
                     draw(curve);
@@ -100,7 +100,7 @@ private:
         if (x.empty())
             x = {m_chart.logarithmicX ? 1.0 : 0.0, m_chart.logarithmicX ? 10.0 : 1.0};
         m_x = m_chart.logarithmicX ? logarithmicTicks(x.lo, x.hi) : linearTicks(x.lo, x.hi, 8);
-        if (!m_chart.logarithmicX) { // no empty margin beside the data, marks inside only
+        if (!m_chart.logarithmicX) { // no empty margin beside the data, and marks only inside
             m_x.lo = std::min(m_x.hi, x.lo < x.hi ? x.lo : m_x.lo);
             m_x.hi = x.lo < x.hi ? x.hi : m_x.hi;
         }
@@ -109,7 +109,7 @@ private:
         for (std::size_t side = 0; side < y.size(); ++side) {
             if (y.at(side).empty())
                 y.at(side) = {0, 1};
-            const double lo = std::min(0.0, y.at(side).lo); // ratios and times are read from zero
+            const double lo = std::min(0.0, y.at(side).lo); // ratios and times start at zero
             m_y.at(side) = linearTicks(lo, y.at(side).hi + kHeadRoom * (y.at(side).hi - lo), m_low ? 3 : 6);
         }
         if (!m_chart.rightLabel.empty())
@@ -167,7 +167,7 @@ private:
         sideLabel(m_chart.rightLabel, true);
     }
 
-    /// Along its axis; above it where the axis is shorter than the words.
+    /// Along its axis; above it if the axis is shorter than the text.
     void sideLabel(const std::string& text, bool right) {
         if (m_low) {
             put("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n", right ? m_right : kLeft, m_top - 9,
@@ -179,7 +179,7 @@ private:
             x, (m_top + m_bottom) / 2, escaped(text));
     }
 
-    /// The points in the picture, held within the frame; of each column only the first, the lowest, the
+    /// The points in the picture, clamped to the frame; of each column only the first, the lowest, the
     /// highest and the last.
     [[nodiscard]] std::vector<Vec2> pixels(const Curve& curve) const {
         std::vector<Vec2> all;

@@ -6,10 +6,10 @@
 
 namespace proveout {
 
-/// As it may stand in an XML document.
+/// Escapes the text for an XML document.
 [[nodiscard]] std::string escaped(const std::string& text);
 
-/// About as wide as the letters of UTF-8 text will be in a font of 13 units, whichever font there is.
+/// Estimates the width of UTF-8 text in a font of 13 units, for any font.
 [[nodiscard]] double textWidth(std::string_view text);
 
 } // namespace proveout

@@ -9,7 +9,7 @@ namespace proveout {
 
 namespace {
 
-/// Of the runs of one point, the one in the middle.
+/// The median run of the runs of one point.
 SweptPoint summedUp(std::vector<StudyRun> runs) {
     std::vector<double> totals;
     totals.reserve(runs.size());

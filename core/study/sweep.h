@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// A point of a sweep with all its runs.
+/// A point of a sweep with the results of its runs.
 struct SweptPoint {
     StudyRun run;     ///< the run of the median total
     Measured seconds; ///< of the totals of all runs
@@ -20,14 +20,14 @@ struct SweptPoint {
 struct SweepOptions {
     DrawCost* drawing = nullptr; ///< null: nothing is drawn
     std::size_t drawEvery = 1;   ///< as in runStudy()
-    int repeats = 1;             ///< runs a point
-    /// Called after each run of a point for the first time, on the thread of the sweep.
+    int repeats = 1;             ///< runs per point
+    /// Called after the first run of each point, on the thread of the sweep.
     std::function<void(const StudyRun&)> finished;
 };
 
-/// Runs all points, in rounds: each round runs every point once and begins with another one, so that what
-/// else the machine does hits all of them alike. The counts of a point must be the same in all its runs, and
-/// are. Errors: as runStudy().
+/// Runs all points, in rounds: each round runs every point once and begins with a different one, so that
+/// other load on the machine affects all of them alike. The counts of a point are the same in all its runs.
+/// Errors: as runStudy().
 [[nodiscard]] Result<std::vector<SweptPoint>> runSweep(const StudyJob& job,
                                                        std::span<const StudyPoint> points,
                                                        const SweepOptions& options,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An extruded outline: where a level line crosses it tells what lies within.
+// An extruded outline: its crossings with a horizontal line give the parts of the line that are inside.
 #include "core/zmap/extruded_stock.h"
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace proveout {
 
 namespace {
 
-/// So near to the outline, in mm, a point counts as on it: coordinates of a grid are rounded.
+/// A point this near to the outline, in mm, counts as on it: coordinates of a grid are rounded.
 constexpr double kOnOutline = 1e-6;
 constexpr double kFarthest = 1e7;
-/// An arc that is flatter is a line: its centre would be lost in rounding.
+/// A flatter arc is treated as a line: its centre would be lost in rounding.
 constexpr double kFlat = 1e-7;
 
 struct Span {
@@ -44,9 +44,9 @@ public:
     [[nodiscard]] const std::vector<OutlinePiece>& pieces() const { return m_pieces; }
     [[nodiscard]] bool hasArea() const { return m_lo.x < m_hi.x && m_lo.y < m_hi.y; }
 
-    /// The parts of a level line that lie within, the outline itself included; ascending.
+    /// The parts of a horizontal line that are within the outline, including the outline itself; ascending.
     [[nodiscard]] std::vector<Span> spansAt(double y) const {
-        // A level side is crossed neither by the line nor seen by it: one just above or below sees it.
+        // The line itself neither crosses a horizontal side nor detects it; a line just above or below does.
         std::vector<Span> spans = crossed(y - kOnOutline);
         const std::vector<Span> above = crossed(y + kOnOutline);
         spans.insert(spans.end(), above.begin(), above.end());
@@ -88,7 +88,7 @@ private:
         m_pieces.push_back(piece);
     }
 
-    /// Parted at its lowest and highest places and at its sides, so that the parts meet exactly.
+    /// The arc is split at its lowest and highest points and at its sides, so that the parts meet exactly.
     void addArc(const OutlinePoint& from, const Vec2& to) {
         constexpr double kQuarter = std::numbers::pi / 2;
         const Vec2 chord = to - from.at;
@@ -151,7 +151,7 @@ public:
     }
 
 private:
-    const Outline& m_outline; ///< of the body, which the set-up holds
+    const Outline& m_outline; ///< of the body, which the setup holds
     Vec2 m_offset;
 };
 
@@ -216,7 +216,8 @@ private:
 };
 
 bool isReasonable(const OutlinePoint& point) {
-    constexpr double kLargestBulge = 1e3; // an arc that lacks less than a quarter of a degree of a circle
+    constexpr double kLargestBulge = 1e3; // an arc that is less than a quarter of a degree short of a full
+                                          // circle
     return std::abs(point.at.x) <= kFarthest && std::abs(point.at.y) <= kFarthest &&
            std::abs(point.bulge) <= kLargestBulge;
 }

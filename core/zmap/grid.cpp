@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The grid over a stock, and the memory it asks for; both are computed in double before anything is taken.
+// The grid over a stock and the memory it needs; both are computed in double before anything is allocated.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -17,16 +17,16 @@ namespace {
 
 /// The heights of a map are counted by 32-bit indices where meshes are made of them.
 constexpr double kMostPoints = std::numeric_limits<std::int32_t>::max();
-/// Sizes beyond this are slips of the unit or of the finger, and would eat the digits of a double.
+/// Larger sizes are mistakes of units or typing, and would use up the digits of a double.
 constexpr double kLargestStock = 1e7;
-/// So many times as long as wide, or as wide as long: on a narrower stock even cells as large as its short
-/// side are more points than a map of a usual stock has.
+/// The largest ratio of length to width or of width to length: on a narrower stock even cells as large as its
+/// short side are more points than a map of a usual stock has.
 constexpr double kLargestRatio = 1e5;
-/// The corner of a stock, either way; as far as a job file goes.
+/// The largest coordinate of the corner of a stock, in either direction; the same limit as in a job file.
 constexpr double kFarthestCorner = 1e7;
-/// Neighbouring points of a grid are at least so many steps of a double apart.
+/// Neighbouring points of a grid are at least this many steps of a double apart.
 constexpr double kLeastSteps = 16;
-/// The map that is cut and the uncut one, from which it can begin again.
+/// The map that is being cut and the uncut one, which is kept for a restart.
 constexpr double kMapsHeld = 2;
 /// A tile with its reference count and its place in the array.
 constexpr double kTileBytes = sizeof(Tile) + 64;
@@ -63,7 +63,7 @@ bool reasonable(double length) {
 }
 
 Argument pointsOf(double nx, double ny) {
-    // Whole numbers while people can read them.
+    // Whole numbers as long as they are readable.
     constexpr double kReadable = 1e9;
     return std::max(nx, ny) < kReadable ? figures("{:.0f} × {:.0f}", nx, ny)
                                         : figures("{:.3g} × {:.3g}", nx, ny);
@@ -73,8 +73,8 @@ Argument sizeOf(const StockBox& stock) {
     return figures("{:g}x{:g}x{:g}", stock.width, stock.depth, stock.height);
 }
 
-/// The largest coordinate of the grid in plan; 1 mm at least, so that no spacing is lost in what is computed
-/// with it either.
+/// The largest coordinate of the grid in plan; at least 1 mm, so that the spacing is not lost in values
+/// computed from it either.
 double farthestPoint(const StockBox& stock) {
     return std::max({1.0, std::abs(stock.corner.x), std::abs(stock.corner.y),
                      std::abs(stock.corner.x + stock.width), std::abs(stock.corner.y + stock.depth)});
@@ -139,7 +139,7 @@ double zmapBytes(const Grid& grid) {
 }
 
 std::optional<double> finestSpacing(const StockBox& stock, double mostBytes, double bytesPerPoint) {
-    if (bytesOf(2, 2, bytesPerPoint) > mostBytes) // not even one tile
+    if (bytesOf(2, 2, bytesPerPoint) > mostBytes) // not even one tile fits
         return std::nullopt;
     return finestWithin(stock, kMostPoints, mostBytes, bytesPerPoint);
 }

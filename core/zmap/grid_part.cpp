@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// Places are typed, and computed, with roundings.
+/// Positions are typed or computed, and so are rounded.
 constexpr double kBesides = 1e-6; // mm
 
 struct Points {
@@ -21,7 +21,7 @@ struct Points {
     double last;
 };
 
-/// The nearest points along one side of the stock.
+/// The points nearest to `lo` and `hi` along one side of the stock.
 Points pointsFrom(double lo, double hi, double spacing, double count) {
     const double first = std::clamp(std::round(lo / spacing), 0.0, count - 2);
     return {first, std::clamp(std::round(hi / spacing), first + 1, count - 1)};
@@ -57,12 +57,12 @@ GridPart GridPart::inWholeTiles() const {
 Result<GridPart> makeGridPart(const StockBox& stock, double spacing, const PlanBox& box) {
     if (auto fine = checkSpacing(spacing); !fine)
         return tl::unexpected(std::move(fine.error()));
-    // What a grid asks of the stock itself, at a spacing that it can have.
+    // Checks the stock itself, at a spacing that it can have.
     if (auto whole = makeGrid(stock, std::min(stock.width, stock.depth)); !whole)
         return tl::unexpected(std::move(whole.error()));
     if (auto fine = checkBox(stock, box); !fine)
         return tl::unexpected(std::move(fine.error()));
-    // The same checks of the part: too coarse, too fine, lost in rounding.
+    // The same checks for the part: too coarse, too fine, lost in rounding.
     const StockBox around{{box.lo, stock.corner.z}, box.hi.x - box.lo.x, box.hi.y - box.lo.y, stock.height};
     if (auto grid = makeGrid(around, spacing); !grid)
         return tl::unexpected(std::move(grid.error()));

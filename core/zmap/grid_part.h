@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rectangle of the points of a grid, which as a whole may be far too fine to be held.
+// A rectangular part of the points of a grid that as a whole may be far too fine for the memory.
 #pragma once
 
 #include "core/base/index_rect.h"
@@ -15,8 +15,8 @@ struct PlanBox {
     friend bool operator==(const PlanBox&, const PlanBox&) = default;
 };
 
-/// Points of a larger grid. Their coordinates are computed as there, to the last bit, and so is all that
-/// follows from them. Value type.
+/// A rectangular part of the points of a larger grid. Their coordinates are computed as in that grid, to the
+/// last bit, and so is everything derived from them. Value type.
 struct GridPart {
     Vec2 origin{0};    ///< of the whole grid: its point (0, 0)
     double hx = 1;     ///< mm
@@ -27,28 +27,28 @@ struct GridPart {
     int ny = 2;
 
     GridPart() = default;
-    /// All of it.
+    /// The whole grid.
     explicit GridPart(const Grid& grid)
         : origin(grid.x0, grid.y0), hx(grid.hx), hy(grid.hy), nx(grid.nx), ny(grid.ny) {}
 
     [[nodiscard]] double x(int i) const { return origin.x + hx * (firstI + i); }
     [[nodiscard]] double y(int j) const { return origin.y + hy * (firstJ + j); }
-    /// As if there were nothing beside it.
+    /// The part as a grid of its own.
     [[nodiscard]] Grid grid() const { return {nx, ny, hx, hy, x(0), y(0)}; }
-    /// The box of stock over it.
+    /// The box of stock over the part.
     [[nodiscard]] StockBox stock(const StockBox& whole) const {
         return {{x(0), y(0), whole.corner.z}, hx * (nx - 1), hy * (ny - 1), whole.height};
     }
-    /// The same points and those before and behind them that make whole tiles of the whole grid.
+    /// The same points, extended on all sides so that they make whole tiles of the whole grid.
     [[nodiscard]] GridPart inWholeTiles() const;
 };
 
-/// The points of the grid that the stock would have at that spacing (makeGrid()) within a box in plan, whose
-/// sides go to the nearest of them; at least one cell. Errors: those of makeGrid(), but for the number of
-/// points, which is that of the part; a box that has no area, or is not within the stock.
+/// The points, within a box in plan, of the grid that the stock would have at that spacing (makeGrid()); the
+/// sides of the box are moved to the nearest points, at least one cell apart. Errors: those of makeGrid(),
+/// except that the number of points is that of the part; a box that has no area or is not within the stock.
 [[nodiscard]] Result<GridPart> makeGridPart(const StockBox& stock, double spacing, const PlanBox& box);
 
-/// A body of which a part can be asked for.
+/// A body that can make the map of a part.
 class PartedStock {
 public:
     PartedStock() = default;
@@ -56,12 +56,12 @@ public:
     PartedStock& operator=(const PartedStock&) = delete;
     virtual ~PartedStock() = default;
 
-    /// StockBody::uncut() of some of the points; the map has the stock of the part.
+    /// StockBody::uncut() for some of the points; the map has the stock of the part.
     [[nodiscard]] virtual ZMap uncutPart(const StockBox& stock, const GridPart& part) const = 0;
 };
 
-/// uncutStock() of some of the points, to the last bit; the map has the box and the grid of the part. Memory
-/// is taken here.
+/// uncutStock() for some of the points, to the last bit; the map has the box and the grid of the part.
+/// Allocates the memory.
 [[nodiscard]] ZMap uncutPart(const StockBox& stock, const StockShape& shape, const GridPart& part);
 
 } // namespace proveout

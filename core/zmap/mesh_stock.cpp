@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh as stock, triangle by triangle over the rows of the grid, one band of tiles after the other. Two
-// answers per point: the upper surface with the rim included, for the map; and every crossing of the vertical
-// through the point, each edge belonging to one of its triangles alone, for what the map cannot hold.
+// A mesh as stock, processed triangle by triangle over the rows of the grid, one band of tiles after the
+// other. Two results per point: the upper surface with the rim included, for the map; and every crossing of
+// the vertical line through the point, with each edge belonging to only one of its triangles, for what the
+// map cannot represent.
 #include "core/zmap/mesh_stock.h"
 
 #include <algorithm>
@@ -21,24 +22,26 @@ namespace proveout {
 
 namespace {
 
-/// So near to a triangle in plan, in mm, a point counts as on its rim: coordinates of a grid are rounded.
+/// A point this near to a triangle in plan, in mm, counts as on its rim: coordinates of a grid are rounded.
 constexpr double kOnRim = 1e-6;
 constexpr double kFarthest = 1e7;
-/// Facets over a place, on average; each costs time at every point of the grid that it covers.
+/// The largest average number of facets above one another; each facet costs time at every point of the grid
+/// that it covers.
 constexpr double kMostLayers = 200;
 constexpr double kAbsent = -1e30;
-/// Crossings are looked for so little beside the point, in mm, that no edge through it can be in doubt.
+/// Crossings are searched slightly beside the point, by these offsets in mm, so that an edge through the
+/// point cannot make the result ambiguous.
 constexpr double kAsideX = 0.71e-7;
 constexpr double kAsideY = 1.13e-7;
 
 using Corners = std::array<Vec3, 3>;
 
-/// Twice the area in plan; above 0 where the triangle looks up.
+/// Twice the area in plan; above 0 if the triangle faces up.
 double areaInPlan(const Corners& c) {
     return (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
 }
 
-/// Where the edge is crossed by a level line: the same number whichever triangle asks.
+/// Where a horizontal line crosses the edge: the result is the same for both triangles of the edge.
 double crossing(const Vec3& a, const Vec3& b, double y) {
     const bool ordered = a.y < b.y || (a.y == b.y && a.x < b.x);
     const Vec3& low = ordered ? a : b;
@@ -70,7 +73,8 @@ public:
         m_slope = {(u.z * v.y - v.z * u.y) / m_area, (v.z * u.x - u.z * v.x) / m_area};
     }
 
-    /// It has no part in either surface: what bounds it does.
+    /// Whether the triangle is vertical. Such a triangle is not part of the upper or lower surface; the
+    /// triangles at its edges are.
     [[nodiscard]] bool isUpright() const { return m_area == 0; }
     [[nodiscard]] bool looksUp() const { return m_area > 0; }
     [[nodiscard]] double leastX() const { return std::min({m_corners[0].x, m_corners[1].x, m_corners[2].x}); }
@@ -88,7 +92,7 @@ public:
         const double z = m_corners[0].z + m_slope.x * (x - m_corners[0].x) + m_slope.y * (y - m_corners[0].y);
         return std::clamp(z, m_lowest, m_highest);
     }
-    /// What it covers of a level line, its rim included.
+    /// The part of a horizontal line that the triangle covers, including its rim.
     [[nodiscard]] Range covered(double y) const {
         Range range;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -101,7 +105,8 @@ public:
         }
         return range;
     }
-    /// The part of a level line that belongs to it alone: from the first place on, without the second.
+    /// The part of a horizontal line that belongs to this triangle alone: from the first end on, without the
+    /// second.
     [[nodiscard]] Range owned(double y) const {
         Range range;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -121,21 +126,21 @@ private:
     Vec2 m_slope{0};
 };
 
-/// The surface is crossed by the vertical through a point.
+/// Where the vertical line through a point crosses the surface.
 struct Crossing {
-    std::uint32_t point; ///< of the band
-    bool up;             ///< the outside lies above
+    std::uint32_t point; ///< index within the band
+    bool up;             ///< the outside is above
     double z;
 };
 
-/// What was found under the upper surface.
+/// What was found beneath the upper surface.
 struct Beneath {
     Undercut undercut;
     std::size_t covered = 0; ///< points with material
-    std::size_t open = 0;    ///< of these: the mesh does not close over them
+    std::size_t open = 0;    ///< of these, the points over which the mesh is not closed
 };
 
-/// Tiles of one row, not so many that what is held of their points counts beside the map.
+/// Tiles of one row, few enough that the memory for their points is small compared with the map.
 class Band {
 public:
     static constexpr int kMostColumns = 128 * Tile::kSize;
@@ -160,7 +165,7 @@ public:
             addRow(facet, j);
     }
 
-    /// Both counted from the first of the band.
+    /// Both indices are counted from the first point of the band.
     [[nodiscard]] double top(int i, int j) const { return m_top[indexOf(i, j)]; }
 
     /// `upIsOut`: the triangles are counter-clockwise seen from outside.
@@ -208,7 +213,8 @@ private:
                     {static_cast<std::uint32_t>(indexOf(i, j)), facet.looksUp(), facet.heightAt(x(i), y)});
     }
 
-    /// From above down to the floor: where one is in as many shells as one has left, there is air.
+    /// Follows the column from above down to the floor: there is air where the line has entered as many
+    /// shells as it has left.
     void lookDown(std::span<Crossing> column, bool upIsOut, double floorZ, const Vec3& offset,
                   Beneath& beneath) const {
         if (column.empty())
@@ -276,10 +282,10 @@ public:
     }
 
 private:
-    /// `look` is shown each band once it is complete.
+    /// Calls `look` with each band once it is complete.
     template<class Look>
     void fill(ZMap& zmap, GridPart grid, const Vec3& offset, const Look& look) const {
-        // The mesh stays where it is, and the grid goes there.
+        // The mesh stays in its own coordinates, and the grid is moved to it.
         grid.origin -= Vec2(offset);
         const auto rows = rowsOf(grid);
         for (int tileRow = 0; tileRow < zmap.tilesY(); ++tileRow)
@@ -344,7 +350,7 @@ private:
     bool m_upIsOut = true;
 };
 
-/// How many facets lie over a place, on average.
+/// The average number of facets above one another.
 double layersOf(const StockMesh& mesh, const Box3& box) {
     double covered = 0;
     for (const auto& t : mesh.triangles)
@@ -356,7 +362,7 @@ double layersOf(const StockMesh& mesh, const Box3& box) {
 
 namespace {
 
-/// The place of a mesh, or why it cannot be a stock.
+/// The bounding box of a mesh, or why the mesh cannot be a stock.
 Result<Box3> boxOf(const StockMesh& mesh) {
     Box3 box;
     for (const auto& triangle : mesh.triangles)
@@ -381,7 +387,7 @@ Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics w
     Result<Box3> box = boxOf(mesh);
     if (box)
         return std::make_shared<const MeshStock>(std::move(mesh), *box, std::move(warnings));
-    // They may say why: a part in metres is flat, or has a thousand layers.
+    // The warnings may explain the error: a part in metres is flat, or has a thousand layers.
     std::ranges::move(warnings, std::back_inserter(box.error()));
     return tl::unexpected(std::move(box.error()));
 }

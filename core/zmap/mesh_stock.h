@@ -10,17 +10,17 @@
 
 namespace proveout {
 
-/// Triangles counter-clockwise seen from outside, or all of them the other way; program coordinates, mm.
+/// Triangles are all counter-clockwise seen from outside, or all clockwise; program coordinates, mm.
 struct StockMesh {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// What lies within a closed mesh, as high as its upper surface at each point of the grid (a point on the rim
-/// included). What is measured over the points of the grid and told as findings: the air below that surface,
+/// The material inside a closed mesh, as high as its upper surface at each point of the grid (a point on the
+/// rim included). Measured over the points of the grid and reported as findings: the air below that surface,
 /// and where the mesh is open. `warnings`, about the file, come first among them. Errors: a mesh without
-/// height or extent in plan, or with hundreds of layers of facets over each other; coordinates that are not
-/// finite or beyond 10 km.
+/// height or extent in plan, or with hundreds of layers of facets above one another; coordinates that are not
+/// finite or are beyond 10 km.
 [[nodiscard]] Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics warnings = {});
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A level line goes up over all pieces: two that cross are neighbours on it before they do.
+// A sweep line moves up over all pieces: two pieces that cross are neighbours on it just before they do.
 #include "core/zmap/outline_crossing.h"
 
 #include <algorithm>
@@ -11,15 +11,15 @@ namespace proveout {
 
 namespace {
 
-/// Pieces that lie nearer to each other, mm, touch.
+/// Pieces that are nearer to each other than this, in mm, touch.
 constexpr double kTouching = 1e-3;
 
 double rightOf(const OutlinePiece& a, const OutlinePiece& b, double y) {
     return a.crossing(y) - b.crossing(y);
 }
 
-/// Below and above the place where two pieces change sides. Arcs may do so twice: the middle is looked at as
-/// well.
+/// Looks below and above the height where two pieces change sides. Arcs may do so twice, so the middle is
+/// checked as well.
 std::optional<Vec2> crossingOfTwo(const OutlinePiece& a, const OutlinePiece& b) {
     double below = std::max(a.low.y, b.low.y);
     double above = std::min(a.high.y, b.high.y);
@@ -70,7 +70,7 @@ private:
     struct Abscissa {
         double x;
     };
-    /// From left to right; of two that begin in one place as they go on.
+    /// From left to right; pieces that begin at the same place are compared by their further course.
     struct Order {
         using is_transparent = void;
         const LevelLine* line;
@@ -127,7 +127,7 @@ private:
         return crossingOfTwo(m_pieces[*std::prev(next)], m_pieces[*next]);
     }
 
-    /// Over a level side: what goes through it goes on both below and above.
+    /// Passes over a horizontal side: a piece that goes through it continues both below and above.
     std::optional<Vec2> passOver(const OutlinePiece& side) {
         const double from = std::min(side.low.x, side.high.x) + kTouching;
         const double to = std::max(side.low.x, side.high.x) - kTouching;
@@ -145,7 +145,7 @@ private:
     std::span<const OutlinePiece> m_pieces;
     double m_y = 0;
     Crossed m_crossed;
-    std::vector<Crossed::iterator> m_places; ///< by piece: where it is in m_crossed
+    std::vector<Crossed::iterator> m_places; ///< by piece: its position in m_crossed
 };
 
 } // namespace

@@ -15,10 +15,11 @@ struct OutlinePiece {
     Vec2 low{0};
     Vec2 high{0};
     Vec2 centre{0};
-    double radius = 0; ///< 0: a line
+    double radius = 0; ///< 0 for a line
     double side = 0;   ///< of an arc: -1 left of its centre, +1 right of it
 
-    /// A level line at an end belongs to the piece above: so each loop is crossed an even number of times.
+    /// A horizontal line at an end belongs to the piece above, so that each loop is crossed an even number of
+    /// times.
     [[nodiscard]] bool crosses(double y) const { return y >= low.y && y < high.y; }
     [[nodiscard]] double crossing(double y) const {
         if (radius > 0)
@@ -26,7 +27,7 @@ struct OutlinePiece {
                    side * std::sqrt(std::max(0.0, radius * radius - (y - centre.y) * (y - centre.y)));
         return std::lerp(low.x, high.x, (y - low.y) / (high.y - low.y));
     }
-    /// Not more than how far a place is from it.
+    /// A lower bound of the distance of a point from the piece.
     [[nodiscard]] double distance(const Vec2& place) const {
         if (radius > 0)
             return std::abs(glm::distance(place, centre) - radius);
@@ -37,7 +38,7 @@ struct OutlinePiece {
     }
 };
 
-/// Where two pieces cross; nothing where none do by more than a micrometre. n pieces take n log n steps.
+/// Where two pieces cross; nothing if none cross by more than a micrometre. Needs n log n steps for n pieces.
 /// Source: M. Shamos and D. Hoey, Geometric intersection problems, 1976.
 [[nodiscard]] std::optional<Vec2> crossingOf(std::span<const OutlinePiece> pieces);
 

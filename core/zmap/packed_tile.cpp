@@ -19,7 +19,7 @@ constexpr std::size_t kPoints = kSize * kSize;
 constexpr std::size_t kWordBytes = sizeof(std::uint32_t);
 constexpr int kLevel = 1;
 
-/// What a tile holds beside its heights.
+/// The fields of a tile besides its heights.
 struct Bounds {
     std::array<float, std::size_t{Tile::kBlocks} * Tile::kBlocks> blocks;
     float maximum;
@@ -30,7 +30,7 @@ static_assert(std::is_trivially_copyable_v<Bounds>);
 using Words = std::array<std::uint32_t, kPoints>;
 using Planes = std::array<std::uint8_t, kPoints * kWordBytes + sizeof(Bounds)>;
 
-/// The difference of the differences of two neighbours in two rows. Integers wrap round, so that nothing is
+/// The difference of the differences of two neighbours in two rows. Integers wrap around, so that nothing is
 /// lost, whatever the bits mean.
 Words differences(const Tile& tile) {
     Words words;
@@ -65,7 +65,7 @@ constexpr std::uint32_t unfolded(std::uint32_t word) {
     return (word >> 1U) ^ (0U - (word & 1U));
 }
 
-/// One a thread: it is larger than what it packs.
+/// One per thread: it is larger than what it packs.
 ZSTD_CCtx* packingContext() {
     struct Free {
         void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
@@ -92,7 +92,8 @@ std::vector<std::byte> packed(const Tile& tile) {
     const std::size_t size =
         ZSTD_compressCCtx(packingContext(), space.data(), space.size(), planes.data(), planes.size(), kLevel);
     if (ZSTD_isError(size) != 0)
-        throw std::bad_alloc(); // there is room for any result: only memory can be missing
+        throw std::bad_alloc(); // the buffer is large enough for any result, so the only possible failure is
+                                // a lack of memory
     return {space.begin(), space.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 

@@ -20,7 +20,7 @@ struct Index {
     int i, j;
 };
 
-/// A new map whose height at each point `heightAt(i, j)` gives.
+/// A new map with the height `heightAt(i, j)` at each point.
 template<class HeightAt>
 ZMap mapOf(const StockBox& stock, const Grid& grid, HeightAt&& heightAt) {
     ZMap zmap(stock, grid);
@@ -84,7 +84,7 @@ float highestOf(const ZMapSnapshot& map) {
     return highest;
 }
 
-/// The old floor is the new top, wherever something stands on it.
+/// The old floor is the new top wherever there is material on it.
 ZMapSnapshot flipped(const ZMapSnapshot& map, StockFlip flip, Undercut& undercut) {
     const float highest = highestOf(map);
     StockBox stock = map.stock();
@@ -109,15 +109,16 @@ ZMapSnapshot flipped(const ZMapSnapshot& map, StockFlip flip, Undercut& undercut
         .snapshot();
 }
 
-/// Saved points along one axis, seen from a grid whose points lie `at` so many saved steps on.
+/// The saved points near a point of another grid along one axis; `at` is the position of that point in saved
+/// steps.
 struct Neighbours {
-    int below;     ///< the saved point at or before
-    double beyond; ///< how far behind it, in saved steps
-    int first;     ///< of those nearer than a spacing
+    int below;     ///< the saved point at or before it
+    double beyond; ///< its distance from that point, in saved steps
+    int first;     ///< of the saved points nearer than a spacing
     int last;
 
     Neighbours(double at, double reach, int count) {
-        constexpr double kRounding = 1e-6; // of a step: coordinates of both grids are rounded
+        constexpr double kRounding = 1e-6; // in steps: coordinates of both grids are rounded
         if (const double nearest = std::round(at); std::abs(at - nearest) < kRounding)
             at = nearest;
         at = std::clamp(at, 0.0, count - 1.0);
@@ -171,7 +172,7 @@ public:
 private:
     static bool isPartOf(int savedPoints, int points) { return (points - 1) % (savedPoints - 1) == 0; }
 
-    /// `part` is where the points lie in a grid over the whole stock.
+    /// `part`: where the points are in a grid over the whole stock.
     [[nodiscard]] ZMap onOtherGrid(const StockBox& stock, const GridPart& part, const Grid& grid) const {
         const Grid& saved = m_map.grid();
         std::vector<Neighbours> columns;
@@ -197,7 +198,7 @@ private:
 
     ZMapSnapshot m_map;
     double m_spacing;
-    Undercut m_undercut; ///< where the box lies by itself
+    Undercut m_undercut; ///< in the body's own coordinates
 };
 
 } // namespace

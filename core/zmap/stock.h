@@ -21,8 +21,8 @@ struct StockBox {
     friend bool operator==(const StockBox&, const StockBox&) = default;
 };
 
-/// The grid over a stock: spacing adjusted per axis so that it divides the stock exactly.
-/// nx = round(width / h) + 1, hx = width / (nx - 1), y alike.
+/// The grid over a stock: spacing adjusted per axis so that it divides the stock exactly. nx = round(width /
+/// h) + 1, hx = width / (nx - 1), and the same for y.
 struct Grid {
     int nx = 2; ///< points along x
     int ny = 2;
@@ -36,27 +36,28 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// Refuses what is no positive and finite spacing.
+/// Refuses a spacing that is not positive and finite.
 [[nodiscard]] Result<void> checkSpacing(double spacing);
 
-/// Errors: sizes or spacing not positive and finite, sides in plan of more than 1 : 100 000, a corner beyond
-/// 10 km, a spacing lost in the doubles of its coordinates, less than one cell, too many points to index.
+/// Errors: sizes or spacing that are not positive and finite, sides in plan of more than 1 : 100 000, a
+/// corner beyond 10 km, a spacing lost in the precision of its coordinates, less than one cell, too many
+/// points to index.
 [[nodiscard]] Result<Grid> makeGrid(const StockBox& stock, double spacing);
 
-/// The points of that grid; 0 where there can be none.
+/// The number of points of that grid; 0 where it cannot be made.
 [[nodiscard]] double gridPoints(const StockBox& stock, double spacing);
 
-/// Bytes that a z-map over the grid takes while it is cut, without meshes and checkpoints.
+/// Bytes that a z-map over the grid needs while it is cut, without meshes and checkpoints.
 [[nodiscard]] double zmapBytes(const Grid& grid);
 
-/// The finest spacing, to three digits, whose map with so many more bytes a point takes no more than
-/// `mostBytes`; nothing where none does.
+/// The finest spacing, to three digits, whose map, with `bytesPerPoint` more for each point, needs no more
+/// than `mostBytes`; nothing if there is none.
 [[nodiscard]] std::optional<double> finestSpacing(const StockBox& stock, double mostBytes,
                                                   double bytesPerPoint);
 
-/// Refuses a grid that needs more memory than may be taken (memoryLimitBytes()); the message tells the figure
-/// and the finest spacing that would fit. `bytesPerPoint`: what else will be made of each point, meshes above
-/// all; `coarserBytesPerPoint`: the same on coarser grids, where that is more.
+/// Refuses a grid that needs more memory than is allowed (memoryLimitBytes()); the message names the figure
+/// and the finest spacing that would fit. `bytesPerPoint`: what else will be made of each point, above all
+/// meshes; `coarserBytesPerPoint`: the same on coarser grids, where that is more.
 [[nodiscard]] Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availableBytes,
                                        double bytesPerPoint = 0, double coarserBytesPerPoint = 0);
 

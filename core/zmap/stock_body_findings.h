@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the making of a stock finds about its body.
+// Findings about the body of a stock when it is made.
 #pragma once
 
 #include <array>

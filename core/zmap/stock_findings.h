@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a z-map cannot hold of a body. Inside the room only.
+// Reports what a z-map cannot represent of a body. Internal to this library.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace proveout {
 
 /// Air under the surface of a body, which its z-map shows as material.
 struct Undercut {
-    /// Less is what roundings make of a level face, mm.
+    /// A smaller gap, in mm, is the result of rounding on a horizontal face.
     static constexpr double kLeast = 2e-3;
 
     double volumeMm3 = 0;
@@ -24,7 +24,7 @@ struct Undercut {
             place = where;
         tallest = std::max(tallest, gap);
     }
-    /// Nothing where there is none.
+    /// The findings; empty if there is no such air.
     [[nodiscard]] Diagnostics reported() const;
 };
 

@@ -11,7 +11,7 @@ namespace proveout {
 
 namespace {
 
-/// The surface between the points of a z-map: of each cell, the mean of its corners by their nearness.
+/// The surface between the points of a z-map: within each cell, the mean of its corners weighted by nearness.
 class MapTop final : public StockTop {
 public:
     explicit MapTop(ZMapSnapshot map) : m_map(std::move(map)) {}

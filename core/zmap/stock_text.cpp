@@ -11,13 +11,13 @@ namespace proveout {
 
 namespace {
 
-/// Three finite numbers with `separator` (or its capital) between them; nothing else but spaces.
+/// Three finite numbers with `separator` (or its capital) between them; apart from that only spaces.
 std::optional<Vec3> threeNumbers(std::string_view text, char separator, char capital) {
     Vec3 numbers{0};
     for (int i = 0; i < 3; ++i) {
         while (!text.empty() && text.front() == ' ')
             text.remove_prefix(1);
-        // A leading plus is common in machine tools' texts, but unknown to from_chars.
+        // A leading plus is common in machine tool files, but from_chars does not accept it.
         if (text.size() > 1 && text.front() == '+' && text[1] != '-')
             text.remove_prefix(1);
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), numbers[i]);

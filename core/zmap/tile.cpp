@@ -9,7 +9,7 @@ void Tile::refreshMaximum() {
     for (int block = 0; block < kBlocks * kBlocks; ++block) {
         const float* first = &heights[static_cast<std::size_t>(block / kBlocks * kBlockSize * kSize +
                                                                block % kBlocks * kBlockSize)];
-        // Lanes side by side, so that the compiler can keep them in vector registers.
+        // Parallel lanes, so that the compiler can keep them in vector registers.
         std::array<float, kBlockSize> lanes;
         std::copy_n(first, kBlockSize, lanes.begin());
         for (int row = 1; row < kBlockSize; ++row) {

@@ -7,7 +7,7 @@ namespace proveout {
 
 namespace {
 
-/// Points of the tile that lie in the grid are uncut, those outside hold the floor.
+/// Points of the tile that are in the grid are uncut; those outside hold the floor.
 void fillUncut(Tile& tile, const IndexRect& rect, float floor) {
     tile.heights.fill(floor);
     for (int j = 0; j < rect.height(); ++j)
@@ -36,7 +36,8 @@ IndexRect ZMap::tileRect(std::size_t index) const {
 }
 
 Tile* ZMap::ownedTile(std::size_t index) {
-    // Every tile was made as a mutable object in this room; const guards what snapshots share.
+    // Every tile was created here as a mutable object, so the cast is valid; const protects what snapshots
+    // share.
     return m_writtenIn[index] == m_generation ? const_cast<Tile*>(m_tiles[index].get()) : nullptr;
 }
 

@@ -17,7 +17,7 @@ namespace proveout {
 /// A square of 64 × 64 heights, row by row, contiguous. Points outside the grid hold `floor`.
 struct Tile {
     static constexpr int kSize = 64;
-    /// Cutting looks at blocks of 16 × 16 points, 4 × 4 of them a tile, counted row by row.
+    /// Cutting works on blocks of 16 × 16 points; a tile has 4 × 4 of them, counted row by row.
     static constexpr int kBlockSize = 16;
     static constexpr int kBlocks = kSize / kBlockSize;
 
@@ -25,20 +25,21 @@ struct Tile {
     std::array<float, std::size_t{kBlocks} * kBlocks>
         blockMaxima{};               ///< upper bounds of the heights of each block
     float maximum = 0;               ///< an upper bound of all heights: the largest of the blocks'
-    std::uint32_t loweredPoints = 0; ///< since refreshMaximum(): the writer's hint that another one pays
+    std::uint32_t loweredPoints = 0; ///< since refreshMaximum(); lets the writer decide when another call
+                                     ///< pays
 
     [[nodiscard]] float& at(int i, int j) { return heights[static_cast<std::size_t>(j * kSize + i)]; }
     [[nodiscard]] float at(int i, int j) const { return heights[static_cast<std::size_t>(j * kSize + i)]; }
     void refreshMaximum(); ///< makes all bounds exact
-    void updateMaximum();  ///< of the blocks'
+    void updateMaximum();  ///< from those of the blocks
 };
 
 /// The grid points of tile `index`, tiles counted row by row.
 [[nodiscard]] IndexRect tileRectOf(const Grid& grid, std::size_t index);
 
-/// One immutable moment of a z-map; any thread. Heights are relative to the stock's top (0 uncut, floor() =
-/// -height at the stock's floor), so that float precision does not depend on where Z0 lies. Equal tile
-/// pointers of two moments mean equal heights: that is how viewers find what to upload again.
+/// An immutable snapshot of a z-map; any thread. Heights are relative to the stock's top (0 uncut, floor() =
+/// -height at the stock's floor), so that float precision does not depend on the position of Z0. Equal tile
+/// pointers of two snapshots mean equal heights: that is how viewers find what to upload again.
 class ZMapSnapshot {
 public:
     ZMapSnapshot() = default;
@@ -60,9 +61,9 @@ public:
     }
     /// Copies the heights of a rectangle, row by row, to `out` (width × height values).
     void read(const IndexRect& rect, std::span<float> out) const;
-    /// Whether two moments of one grid have the same heights in a rectangle.
+    /// Whether two snapshots of one grid have the same heights in a rectangle.
     [[nodiscard]] bool sameHeights(const ZMapSnapshot& other, const IndexRect& rect) const;
-    /// Volume of the stock left, mm³: the integral over cells of the mean of their corners.
+    /// Volume of the remaining stock, mm³: the integral over cells of the mean of their corners.
     [[nodiscard]] double volume() const;
 
 private:
@@ -74,8 +75,8 @@ private:
 };
 
 /// The z-map that is being cut. Owned by one thread; parallel work may write different tiles at once after
-/// `tileForWriting` of each was called. Movable, not copyable: two copies would both believe that they own
-/// their tiles; go on from a `snapshot()` instead.
+/// `tileForWriting` was called for each. Movable, not copyable: both copies would assume that they own their
+/// tiles; to continue elsewhere, construct a map from a `snapshot()`.
 class ZMap {
 public:
     ZMap() = default;
@@ -84,9 +85,9 @@ public:
     ZMap& operator=(const ZMap&) = delete;
     ZMap& operator=(ZMap&&) noexcept = default;
     ~ZMap() = default;
-    /// Uncut stock. Memory is taken here; ask checkMemory() first.
+    /// Uncut stock. Allocates memory; ask checkMemory() first.
     ZMap(const StockBox& stock, const Grid& grid);
-    /// Goes on from a moment.
+    /// Continues from a snapshot.
     explicit ZMap(const ZMapSnapshot& moment);
 
     [[nodiscard]] const StockBox& stock() const { return m_stock; }
@@ -98,15 +99,16 @@ public:
     [[nodiscard]] const Tile& tile(std::size_t index) const { return *m_tiles[index]; }
     /// The grid points of tile `index`.
     [[nodiscard]] IndexRect tileRect(std::size_t index) const;
-    /// Copies the tile first where a snapshot shares it.
+    /// Copies the tile first if a snapshot shares it.
     [[nodiscard]] Tile& tileForWriting(std::size_t index);
-    /// The tile if no snapshot shares it, else nullptr: then a worker makes a copy of its own and hands it
-    /// to `adoptTile` on the owner's thread once it knows that heights have changed.
+    /// The tile if no snapshot shares it, else nullptr: then a worker makes its own copy and passes it to
+    /// `adoptTile` on the owner's thread once it knows that heights have changed.
     [[nodiscard]] Tile* ownedTile(std::size_t index);
-    /// Puts a tile in the place of one that is shared.
+    /// Replaces a shared tile.
     void adoptTile(std::size_t index, std::shared_ptr<Tile> tile);
 
-    /// This moment; costs a pointer per 256 tiles, and one tile copy per tile written afterwards.
+    /// A snapshot of the current heights; costs a pointer per 256 tiles, and one tile copy per tile written
+    /// afterwards.
     [[nodiscard]] ZMapSnapshot snapshot() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stock and the grid that holds it.
+// Findings about the stock and its grid.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One motion into the z-map: the tiles that it may lower, then each of them.
+// Cuts one motion into the z-map: finds the tiles that it may lower, then lowers each of them.
 #include <algorithm>
 #include <cmath>
 #include <oneapi/tbb/parallel_for.h>
@@ -15,9 +15,9 @@ namespace proveout {
 
 namespace {
 
-/// Below this many points under the reach, waking other threads costs more than they help.
+/// With fewer points than this under the reach, waking other threads costs more than they save.
 constexpr double kPointsWorthThreads = 100'000;
-/// What takes longer than about 20 ms looks whether it shall stop. In points of a straight motion.
+/// Work that takes longer than about 20 ms checks whether it should stop. In points of a straight motion.
 constexpr double kPointsWorthStopping = 1'000'000;
 
 double pointsUnder(const Sweep& sweep, const Grid& grid, std::size_t tiles) {
@@ -26,7 +26,7 @@ double pointsUnder(const Sweep& sweep, const Grid& grid, std::size_t tiles) {
                     (reach.hi.x - reach.lo.x) / grid.hx * ((reach.hi.y - reach.lo.y) / grid.hy));
 }
 
-/// The work on one tile and what it did.
+/// The work on one tile and its result.
 struct DoneTile {
     TileCut cut;
     CutRecord record;
@@ -75,7 +75,7 @@ CutRecord lower(ZMap& zmap, const std::vector<std::size_t>& tiles, const Prepare
     return record;
 }
 
-/// All tiles are lowered as copies, so that the map stays as it was where they do not all get done.
+/// All tiles are lowered as copies, so that the map stays unchanged if not all of them get done.
 std::optional<CutRecord> lowerUnlessStopped(ZMap& zmap, const std::vector<std::size_t>& tiles,
                                             const PreparedSweep& prepared, const std::stop_token& stop) {
     (void)zmap.snapshot(); // from now on every tile counts as shared
@@ -97,7 +97,7 @@ void CutRecord::add(const CutRecord& other) {
 }
 
 CutRecord cut(ZMap& zmap, const Cutter& cutter, const Motion& motion) {
-    return *cut(zmap, cutter, motion, {}); // what nobody stops is finished
+    return *cut(zmap, cutter, motion, {}); // without a stop request the cut always completes
 }
 
 std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& motion,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutting a part of a map as if all of it were there.
+// Cuts a part of a map exactly as if the whole map were present.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 namespace proveout {
 
 /// cutHeights() of a map whose points are those of `place`, which begins at a tile of the whole grid: the
-/// heights are those of the whole map to the last bit.
+/// heights equal those of the whole map to the last bit.
 [[nodiscard]] bool cutHeights(ZMap& zmap, const GridPart& place, std::span<const CutterMotion> motions,
                               const std::stop_token& stop);
 

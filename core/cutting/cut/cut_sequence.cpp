@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many motions into the z-map: binned to the tiles that they may lower, then tile by tile.
+// Cuts many motions into the z-map: they are binned to the tiles that they may lower, then cut tile by tile.
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -19,23 +19,24 @@ namespace proveout {
 
 namespace {
 
-// Motions are binned in portions: of that many tiles in all the records take 20 MB, of that many motions the
-// sweeps 20 MB, more where cutters have several profiles. Between two of them threads wait for each other.
+// Motions are binned in portions. With this many tiles in total, the records need 20 MB; with this many
+// motions, the sweeps need 20 MB, more if cutters have several profiles. Threads wait for each other between
+// two portions.
 constexpr std::size_t kTilesOfPortion = 500'000;
 constexpr std::size_t kMotionsOfPortion = 32'768;
-/// Prepared at once, by several threads.
+/// Motions prepared at once, by several threads.
 constexpr std::size_t kMotionsOfBatch = 1024;
 
-/// Some motions of a sequence, and the tiles that they may lower. One is filled again and again, in place and
-/// by several threads: where each had its own, a tenth of the time on two threads went into memory that one
-/// of them took and gave back while the other waited.
+/// Some motions of a sequence, and the tiles that they may lower. One object is filled again and again, in
+/// place and by several threads: when each portion had its own memory, a tenth of the time on two threads
+/// went into memory that one thread allocated and freed while the other waited.
 class Portion {
 public:
     Portion(const ZMap& zmap, std::size_t motions)
         : m_sweeps(std::min(motions, kMotionsOfPortion)), m_tilesOf(m_sweeps.size()),
           m_next(zmap.tileCount()) {}
 
-    /// With motions from `first` on.
+    /// Fills the portion with motions from `first` on.
     void fill(const ZMap& zmap, std::span<const CutterMotion> motions, std::size_t first) {
         m_first = first;
         m_count = 0;
@@ -50,9 +51,12 @@ public:
         bin(pairs);
     }
 
-    [[nodiscard]] std::size_t end() const { return m_first + m_count; } ///< the first motion not among them
+    [[nodiscard]] std::size_t end() const {
+        return m_first + m_count;
+    } ///< the first motion after the
+      ///< portion
 
-    /// False where it was stopped: some tiles were lowered then.
+    /// False if it was stopped; some tiles have been lowered then.
     bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records,
                Provenance* provenance) {
         m_parts.resize(std::max(m_parts.size(), m_order.size()));
@@ -61,7 +65,7 @@ public:
             Provenance::Marks* marks = provenance == nullptr ? nullptr : &provenance->tile(m_tiles[k]);
             return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k), own, stop, marks);
         });
-        // Of each motion in the order of its tiles, as where it is cut alone.
+        // The parts of each motion are added in the order of its tiles, as when it is cut alone.
         for (std::size_t k = 0; complete && k < m_order.size(); ++k)
             records[m_first + m_order[k]].add(m_parts[k]);
         return complete;
@@ -75,7 +79,7 @@ public:
     }
 
 private:
-    /// The sweeps over a tile.
+    /// The sweeps that may lower a tile, ascending.
     [[nodiscard]] std::span<const std::uint32_t> orderOf(std::size_t k) const {
         return {m_order.begin() + m_begins[k], m_order.begin() + m_begins[k + 1]};
     }
@@ -99,7 +103,7 @@ private:
         return complete;
     }
 
-    /// Motions to follow those that are placed.
+    /// Places motions after those that are placed already.
     void placeAll(const ZMap& zmap, std::span<const CutterMotion> motions) {
         constexpr std::size_t kWorthATask = 16;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, motions.size(), kWorthATask),
@@ -109,7 +113,7 @@ private:
                           });
     }
 
-    /// One that cuts nothing has no tiles.
+    /// A motion that cuts nothing has no tiles.
     void place(const ZMap& zmap, const CutterMotion& one, std::size_t at) {
         m_tilesOf[at].clear();
         if (one.cutter == nullptr)
@@ -149,16 +153,16 @@ private:
     std::size_t m_count = 0;
     std::vector<PreparedSweep> m_sweeps;
     std::vector<std::vector<std::size_t>> m_tilesOf; ///< by sweep, ascending
-    std::vector<std::uint32_t> m_next;               ///< by tile of the map: where bin() goes on
+    std::vector<std::uint32_t> m_next;               ///< by tile of the map: where bin() continues
     std::vector<std::size_t> m_tiles;                ///< ascending
-    std::vector<std::uint32_t>
-        m_begins;                       ///< by tile of m_tiles: its first in m_order; and the end of the last
-    std::vector<std::uint32_t> m_order; ///< sweeps, ascending within a tile
-    std::vector<CutRecord> m_parts;     ///< of each of m_order
+    std::vector<std::uint32_t> m_begins; ///< by tile of m_tiles: the index of its first sweep in m_order;
+                                         ///< finally the end of the last
+    std::vector<std::uint32_t> m_order;  ///< sweeps, ascending within a tile
+    std::vector<CutRecord> m_parts;      ///< for each entry of m_order
 };
 
-/// Calls `lower` with one portion after the other. Where it says that it was stopped, the map becomes what it
-/// was, and the answer is false.
+/// Calls `lower` with one portion after the other. If it reports that it was stopped, the map is restored,
+/// and the result is false.
 template<class Lower>
 bool byPortions(ZMap& zmap, std::span<const CutterMotion> motions, const std::stop_token& stop,
                 const Lower& lower) {

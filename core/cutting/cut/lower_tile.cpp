@@ -30,7 +30,7 @@ struct LaneSums {
     std::array<std::int32_t, kLanes> points{};
 };
 
-/// Whether a point would change; what is on the floor already cannot.
+/// Whether a point would change; points on the floor already cannot.
 PROVEOUT_VECTOR_CLONES bool anyLower(const float* envelope, const float* heights, int count, float floor) {
     std::array<int, kLanes> lower{};
     for (int k = 0; k < count; k += kLanes) {
@@ -43,7 +43,7 @@ PROVEOUT_VECTOR_CLONES bool anyLower(const float* envelope, const float* heights
     return std::any_of(lower.begin(), lower.end(), [](int value) { return value != 0; });
 }
 
-/// The minimum of both into `heights`; `removed` is what each point lost.
+/// Writes the minimum of both into `heights`; `removed` is what each point lost.
 PROVEOUT_VECTOR_CLONES void lowerRow(const float* envelope, float* heights, float* removed, int count,
                                      float floor, LaneSums& sums) {
     for (int k = 0; k < count; k += kLanes) {
@@ -69,7 +69,8 @@ double total(const LaneSums& sums) {
     return sum;
 }
 
-/// Of the points of a tile on the border of the map; none of others, where all weigh the same.
+/// The weights of the points of a tile on the border of the map; nothing for other tiles, where all points
+/// weigh the same.
 std::optional<PointWeights> weightsOf(const Grid& grid, const IndexRect& rect) {
     if (rect.i0 > 0 && rect.j0 > 0 && rect.i0 + Tile::kSize < grid.nx && rect.j0 + Tile::kSize < grid.ny)
         return std::nullopt;
@@ -93,7 +94,7 @@ public:
         m_envelope.fill(kInfinity);
     }
 
-    /// Nothing more is lowered once it was stopped.
+    /// After a stop nothing more is lowered.
     CutRecord lower(const PreparedSweep& prepared) {
         m_sums = {};
         m_mark = prepared.mark;
@@ -108,7 +109,7 @@ public:
         return m_sums.record;
     }
 
-    /// All of them, in any order.
+    /// Lowers the tile by all sweeps, in any order.
     void lowerByAll(std::span<const PreparedSweep> sweeps, std::span<const std::uint32_t> order,
                     PassTable& table) {
         table.clear();
@@ -130,7 +131,7 @@ public:
     }
 
     TileCut result() {
-        // A tile of which nothing changed is the same as it was.
+        // A copy in which nothing changed is dropped.
         if (m_result.copy && m_result.copy->heights == m_zmap.tile(m_index).heights)
             m_result.copy.reset();
         return std::move(m_result);
@@ -139,7 +140,7 @@ public:
 private:
     [[nodiscard]] const Tile& tile() const { return m_tile != nullptr ? *m_tile : m_zmap.tile(m_index); }
 
-    /// A tile that lies below the cutter as a whole cannot change, nor one that is all on the floor.
+    /// A tile that is entirely below the cutter, or entirely on the floor, cannot change.
     [[nodiscard]] bool mayLower(const Sweep& sweep) const {
         return static_cast<double>(tile().maximum) > sweep.lowest() && tile().maximum > m_floor;
     }
@@ -149,7 +150,7 @@ private:
         return m_result.complete;
     }
 
-    /// The passes over this tile; until they are asked for again.
+    /// The passes over this tile; valid until the next call.
     [[nodiscard]] std::span<const TilePass> seen(const PreparedSweep& prepared) {
         const Vec2 first(m_place.x(m_rect.i0), m_place.y(m_rect.j0));
         const Vec2 middle = first + kMiddle * Vec2(m_grid.hx, m_grid.hy) - prepared.sweep.origin();
@@ -204,7 +205,7 @@ private:
         std::fill(m_envelope.begin() + begin, m_envelope.begin() + end, kInfinity);
     }
 
-    /// Lowers the whole lanes [begin, end) about the columns that were asked.
+    /// Lowers the whole lanes [begin, end) that contain the evaluated columns.
     void lower(const Sweep& sweep, int row, const Columns& columns, int begin, int end) {
         const auto at = static_cast<std::size_t>(row * Tile::kSize + begin);
         if (!anyLower(&m_envelope[static_cast<std::size_t>(begin)], &tile().heights[at], end - begin,
@@ -221,7 +222,7 @@ private:
             mark(row, columns);
     }
 
-    /// Of the map: what is there weighs half.
+    /// Whether the row is on the border of the map, where points weigh half.
     [[nodiscard]] bool isEdge(int row) const {
         return m_rect.j0 + row == 0 || m_rect.j0 + row == m_grid.ny - 1;
     }
@@ -237,7 +238,7 @@ private:
         m_work.emplace(*m_tile, m_floor);
     }
 
-    /// Where points of a row were lowered, and what the first and last column of the map lost.
+    /// Records where points of a row were lowered, and what the first and last column of the map lost.
     void note(int row, const Columns& columns, bool edge) {
         int first = columns.begin;
         while (!(m_removed[static_cast<std::size_t>(first)] > 0))
@@ -302,15 +303,15 @@ private:
     IndexRect m_rect;
     float m_floor;
     Tile* m_tile = nullptr;
-    std::optional<TileUnderWork> m_work; ///< where the tile is ours
+    std::optional<TileUnderWork> m_work; ///< if the tile is owned, so that it can be lowered in place
     std::vector<TilePass> m_passes;
-    std::uint32_t m_mark = 1; ///< of the sweep at work
+    std::uint32_t m_mark = 1; ///< of the current sweep
     std::optional<PointWeights> m_weights;
     Row m_envelope; ///< +infinity between two rows
     Row m_removed;
     TileCut m_result;
 
-    /// Of one sweep.
+    /// The sums of one sweep.
     struct Sums {
         CutRecord record;
         LaneSums inner;

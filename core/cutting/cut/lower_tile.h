@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sweeps into one tile.
+// Lowers one tile by sweeps.
 #pragma once
 
 #include <cstdint>
@@ -16,38 +16,38 @@
 
 namespace proveout {
 
-/// A sweep, and how inner loops see it over the grid of a map.
+/// A sweep and its passes for the inner loops over the grid of a map.
 struct PreparedSweep {
     Sweep sweep;
-    SweepPasses passes;     ///< none: it is asked row by row
+    SweepPasses passes;     ///< empty: the sweep is evaluated row by row
     std::uint32_t mark = 1; ///< as of its CutterMotion
 
-    PreparedSweep() = default; ///< cuts nothing
+    PreparedSweep() = default; ///< a sweep that cuts nothing
     PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap)
         : sweep(cutter, motion, zmap.stock().topZ()), passes(sweep.passes(zmap.grid().hx, zmap.grid().hy)) {}
 
-    /// The work on one point at most, as a multiple of that on a point of a straight motion.
+    /// The largest work on one point, as a multiple of that on a point of a straight motion.
     [[nodiscard]] double costOfPoint() const {
         return passes.empty() ? sweep.costOfPoint() : passes.costOfPoint();
     }
 };
 
 struct TileCut {
-    std::shared_ptr<Tile> copy; ///< the lowered tile, where a snapshot shares the old one
-    bool complete = true;       ///< false where it was stopped on the way
+    std::shared_ptr<Tile> copy; ///< the lowered tile, if a snapshot shares the old one
+    bool complete = true;       ///< false if it was stopped before the end
 };
 
-/// Lowers tile `index` of the map in place, or a copy of it where it is shared, by those of `sweeps` that
-/// `order` names, one after the other; a tile of which nothing changes is never copied. `records`, one for
-/// each of `order`, are what they did; `removedMm3` of them is the sum of heights, not yet times the cell's
-/// area. Different tiles may be lowered at once. Looks at `stop` at every row or block: what was lowered in
-/// place until then stays lowered. `marks`, unless it is null: points that become lower get the sweep's mark.
+/// Lowers tile `index` of the map in place, or a copy of it if it is shared, by the `sweeps` that `order`
+/// lists, one after the other; a tile in which nothing changes is never copied. `records`, one per entry of
+/// `order`, are the results; their `removedMm3` is the sum of heights, not yet times the cell's area.
+/// Different tiles may be lowered at once. Checks `stop` at every row or block: what was lowered in place
+/// until then stays lowered. `marks`, unless it is null: points that are lowered get the sweep's mark.
 [[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                                 std::span<const std::uint32_t> order, std::span<CutRecord> records,
                                 const std::stop_token& stop, Provenance::Marks* marks = nullptr);
 
-/// The same heights, without records, in whatever order is fastest. `table` is room to work in; `place` is
-/// where the points of the map lie.
+/// The same heights, without records, in the fastest order. `table` is scratch memory; `place` gives the
+/// positions of the points of the map.
 [[nodiscard]] TileCut lowerTileByAll(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                                      std::span<const std::uint32_t> order, PassTable& table,
                                      const GridPart& place, const std::stop_token& stop);

@@ -16,20 +16,20 @@ namespace proveout {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-/// Two exact cuts may differ by a micrometre each: no thinner layer of material is one.
+/// Two exact cuts may differ by a micrometre each, so a thinner layer of material does not count.
 constexpr float kNothing = 2e-3F;
-constexpr int kRow = 64; ///< the most points that a sweep is asked for at once
+constexpr int kRow = 64; ///< the largest number of points that a sweep evaluates at once
 
 using Row = std::array<float, kRow>;
 
-/// Heights from the top of the stock.
+/// Heights relative to the top of the stock.
 struct Layer {
     float lo;
     float hi;
 };
 
-/// The back of a head upside down: a profile like any other, whose envelope is the highest place that the
-/// back reaches, below zero.
+/// The back of a head turned upside down: a profile like any other, whose envelope is the highest position
+/// that the back reaches, negated.
 Cutter turnedOver(const NeckedHead& head) {
     CutterProfile profile{head.back, {}};
     for (ProfilePiece& piece : profile.pieces) {
@@ -56,8 +56,9 @@ Cutter neckOf(const NeckedHead& head) {
     return {"", CutterProfile{{disc}, {}}, 0, 0, 0};
 }
 
-/// An arc in pieces over each of which the head passes a place once, or nearly at one height: between the
-/// eighths of its circle, as in a vertical plane the way over ground turns back at quarters.
+/// Splits an arc into pieces over each of which the head passes a place only once, or nearly at one height.
+/// The pieces end at the eighths of its circle, because in a vertical plane the path over ground turns back
+/// at quarters.
 std::vector<Motion> partsOf(const Motion& motion) {
     constexpr double kEighth = std::numbers::pi / 4;
     if (motion.kind != MotionKind::arc || motion.sweep == 0 || !withinLimits(motion))
@@ -88,8 +89,8 @@ std::vector<Motion> partsOf(const Motion& motion) {
     return parts;
 }
 
-/// What one part of the motion sweeps: from its lower envelope up to the back of the head, and without end
-/// where the neck passes.
+/// The volume that one part of the motion sweeps: from its lower envelope up to the back of the head, and
+/// without an upper limit where the neck passes.
 struct HeadSweep {
     Sweep bottom;
     Sweep back;
@@ -108,14 +109,14 @@ struct HeadSweep {
 void ask(const Sweep& sweep, const RowPoints& points, Row& out) {
     static constexpr Row kAboveAll = [] {
         Row row{};
-        row.fill(1e30F); // so that no point is left out
+        row.fill(1e30F); // so that no point is skipped
         return row;
     }();
     out.fill(kInfinity);
     (void)sweep.row(points, kAboveAll.data(), out.data());
 }
 
-/// The layers of [lo, hi] that no other one covers: their sum and where the lowest begins.
+/// The parts of the layer [lo, hi] that no other layer covers: their sum and where the lowest begins.
 Layer uncovered(std::vector<Layer>& others, float lo, float hi) {
     std::ranges::sort(others, {}, &Layer::lo);
     float sum = 0;
@@ -135,7 +136,7 @@ Layer uncovered(std::vector<Layer>& others, float lo, float hi) {
     return {lowest, lowest + sum};
 }
 
-/// What stays over the points of a row.
+/// Measures the material left over the points of a row.
 class RowMeasure {
 public:
     RowMeasure(const ZMapSnapshot& before, const ZMapSnapshot& after, const std::vector<HeadSweep>& sweeps)
@@ -161,7 +162,7 @@ public:
     [[nodiscard]] const Overhang& sum() const { return m_sum; }
 
 private:
-    /// The box of a slanted motion holds many points that it leaves alone.
+    /// The box of a slanted motion holds many points that the motion does not touch.
     [[nodiscard]] bool anyLower(int j, int i0, int i1) const {
         for (int i = i0; i < i1; ++i) {
             if (m_after.height(i, j) < m_before.height(i, j))

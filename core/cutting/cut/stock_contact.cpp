@@ -17,16 +17,17 @@ namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-/// What lies nearer together along the way counts as one: less than two exact cuts may differ.
+/// Points of contact nearer together than this along the path count as one: two exact cuts may differ by
+/// more.
 constexpr double kAlike = 2.5e-4;
 constexpr double kWidestCell = 1;   ///< mm; the search begins with cells of this size
 constexpr double kFineCell = 0.004; ///< smaller ones are not divided
-constexpr double kFinest = 1e-5;    ///< mm between the places of the last look
-constexpr std::size_t kParts = 4;   ///< a cell is divided into that many rows of as many
+constexpr double kFinest = 1e-5;    ///< mm between the points of the last step
+constexpr std::size_t kParts = 4;   ///< a cell is divided into this many rows and columns
 constexpr std::size_t kCells = kParts * kParts;
 constexpr auto kFiner = static_cast<double>(kParts);
 
-/// The stock within a box in plan, at any place.
+/// The exact stock within a box in plan.
 class ExactStock {
 public:
     ExactStock(const StockBox& stock, const StockTop* uncut, const std::vector<PastCut>& cuts)
@@ -36,7 +37,7 @@ public:
             m_sweeps.emplace_back(*cut.cutter, cut.motion, stock.topZ());
     }
 
-    /// kNothing where nothing is left.
+    /// kNothing if no material is left.
     [[nodiscard]] double height(const Vec2& place) const {
         double height = m_uncut == nullptr ? 0 : m_uncut->height(place);
         for (const Sweep& sweep : m_sweeps)
@@ -44,9 +45,9 @@ public:
         return absolute(height);
     }
 
-    /// Divides a box in plan into kParts × kParts cells, row by row: nowhere in one is the stock higher than
-    /// its number. The envelope of a straight motion is convex, so that it is highest at a corner; that of an
-    /// arc nearly so in a cell much smaller than the cutter.
+    /// Divides a box in plan into kParts × kParts cells, row by row, and returns an upper bound of the stock
+    /// in each. The envelope of a straight motion is convex, so that it is highest at a corner; that of an
+    /// arc is nearly so in a cell much smaller than the cutter.
     [[nodiscard]] std::array<double, kCells> highest(const Vec2& corner, double size, double enough) const {
         constexpr std::size_t kCorners = kParts + 1;
         std::array<double, kCells> highest = uncut(corner, size);
@@ -91,8 +92,9 @@ private:
     std::vector<Sweep> m_sweeps;
 };
 
-/// One search for the first touch: cells in plan, divided in the order in which they may be touched, as long
-/// as that may be before what is known; then the neighbourhood of the best place ever closer.
+/// One search for the first touch: cells in plan are divided in the order in which they may be touched, as
+/// long as that may be before the earliest touch found; then the neighbourhood of the best point is searched
+/// ever more finely.
 class Search {
 public:
     Search(const StockBox& box, const StockTop* uncut, const CutsWithin& cuts, const std::stop_token& stop,
@@ -123,7 +125,7 @@ public:
 private:
     struct Level {
         double size;     ///< of a cell
-        TouchPath early; ///< of a cutter so much larger that it reaches all of a cell from its middle
+        TouchPath early; ///< of a cutter enlarged so that it reaches all of a cell from its middle
     };
     struct Cell {
         double time; ///< not later than the true one
@@ -132,7 +134,7 @@ private:
         bool operator<(const Cell& other) const { return time > other.time; }
     };
 
-    /// All cells under the path, as if nothing had been cut.
+    /// Collects all cells under the path, as if nothing had been cut.
     void scan() {
         if (m_box.topZ() < m_lowest)
             return;
@@ -168,7 +170,7 @@ private:
         }
     }
 
-    /// Looks at the middles of the cell's parts, and at what each may hold.
+    /// Evaluates the middles of the cell's parts, and bounds what each part may hold.
     void divide(const Cell& cell) {
         const std::size_t level = cell.level + 1;
         const double size = m_levels[level].size;
@@ -180,7 +182,7 @@ private:
             const std::size_t column = k % kParts;
             const Vec2 part(static_cast<double>(column), static_cast<double>(row));
             const Vec2 from = corner + size * part;
-            // Nothing stands beside the stock.
+            // There is no material outside the stock.
             if (highest[k] < m_lowest || glm::any(glm::greaterThan(from, m_far)) ||
                 glm::any(glm::lessThan(from + size, m_near)))
                 continue;
@@ -190,7 +192,7 @@ private:
         }
     }
 
-    /// Looks at (2n + 1)² places about the best one.
+    /// Evaluates (2n + 1)² points around the best one.
     void lookAbout(double step, int n) {
         const Vec2 middle = m_place;
         const ExactStock stock(m_box, m_uncut, m_cuts(middle - step * n, middle + step * n));
@@ -205,7 +207,7 @@ private:
         constexpr int kHalf = 4;
         constexpr int kMostMoves = 16;
         for (double step = m_levels.back().size; step > kFinest; step /= kFiner) {
-            // Along an edge the best place may lie beyond what is looked at.
+            // Along an edge the best point may be outside the searched neighbourhood.
             for (int move = 0; move < kMostMoves && !m_stop.stop_requested(); ++move) {
                 const double before = m_best;
                 const Vec2 from = m_place;
@@ -225,9 +227,9 @@ private:
     const std::stop_token& m_stop;
     const TouchPath m_path;
     const double m_lowest;
-    const double m_alike; ///< as a part of the way
+    const double m_alike; ///< as a fraction of the path
     std::vector<Level> m_levels;
-    std::priority_queue<Cell> m_cells; ///< the earliest on top
+    std::priority_queue<Cell> m_cells; ///< the earliest one on top
     double m_best = TouchPath::kNever;
     Vec2 m_place{0};
 };
@@ -248,7 +250,7 @@ std::optional<double> StockContact::firstFree(const Cutter& cutter, const Vec3& 
     const TouchPath path(cutter, start, end);
     if (path.length() == 0)
         return {};
-    // Seen from where it is free, it is lost where it would be touched first on the way back.
+    // Seen from a free position, contact is lost where the reversed path would first touch.
     for (double from = 0; from < 1 && !m_stop.stop_requested();) {
         const double to = std::min(1.0, from + kStep / path.length());
         const auto back = firstTouch(cutter, path.at(to), path.at(from));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a tool that does not cut meets the stock.
+// Where a tool that does not cut touches the stock.
 #pragma once
 
 #include <functional>
@@ -18,28 +18,28 @@ struct PastCut {
     Motion motion;
     const Cutter* cutter = nullptr;
 };
-/// All motions that may have cut within a box in plan; more of them do no harm.
+/// All motions that may have cut within a box in plan; extra ones do no harm.
 using CutsWithin = std::function<std::vector<PastCut>(const Vec2& lo, const Vec2& hi)>;
 
-/// The stock as the motions have left it, asked for itself rather than for its z-map: walls and edges stand
-/// where they were cut and do not depend on a spacing. Keeps references; one thread.
+/// The stock exactly as the motions have left it, rather than its z-map: walls and edges are where they were
+/// cut and do not depend on a grid spacing. Keeps references; one thread.
 class StockContact {
 public:
-    /// How exact both answers are along the way, in mm.
+    /// The accuracy of both results along the path, in mm.
     static constexpr double kTolerance = 2e-3;
 
-    /// `uncut`: the top of what of the box is stock; null: all of it is.
+    /// `uncut`: the top of the stock within the box; null: the whole box is stock.
     StockContact(const StockBox& stock, CutsWithin cuts, std::stop_token stop,
                  const StockTop* uncut = nullptr)
         : m_stock(stock), m_cuts(std::move(cuts)), m_stop(std::move(stop)), m_uncut(uncut) {}
 
-    /// The first time in [0, 1] on the straight way of a cutter's tip at which it touches the stock; nothing
-    /// where it never does, or when stopped. Shank and holder are not looked at. As in a z-map material
-    /// reaches down to the floor of the stock, and where the floor is reached nothing is left.
+    /// The first time in [0, 1] on the straight path of a cutter's tip at which it touches the stock; nothing
+    /// if it never does, or when stopped. Shank and holder are ignored. As in a z-map, material extends down
+    /// to the floor of the stock, and where a cut has reached the floor nothing is left.
     [[nodiscard]] std::optional<double> firstTouch(const Cutter& cutter, const Vec3& start,
                                                    const Vec3& end) const;
-    /// The first time from which on it does not touch the stock for a while: 0 where it begins free. Nothing
-    /// where it touches it all the way, or when stopped.
+    /// The first time from which on it does not touch the stock for a while: 0 if it begins free. Nothing if
+    /// it touches all the way, or when stopped.
     [[nodiscard]] std::optional<double> firstFree(const Cutter& cutter, const Vec3& start,
                                                   const Vec3& end) const;
 

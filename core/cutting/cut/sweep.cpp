@@ -24,7 +24,8 @@ bool finite(const Motion& motion) {
 }
 
 /// How far beyond its rim a cutter cuts, so that a point exactly on the rim is cut whichever way its distance
-/// rounds: a nanometre's thousandth, more where coordinates are so large that a double holds less.
+/// is rounded: a thousandth of a nanometre, or more where coordinates are so large that a double has less
+/// precision.
 double rimSlack(const Motion& motion) {
     double largest = 0;
     for (int axis = 0; axis < 2; ++axis)
@@ -46,7 +47,8 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     } else {
         m_straight = straightPath(motion.start - m_origin, motion.end - m_origin);
     }
-    // A few cost less one by one: most of them are bounded away. But arcs that became lines are exact here.
+    // Evaluating a few points one by one costs less, because bounds exclude most of them. But arcs that were
+    // replaced by lines are exact here.
     constexpr std::size_t kFew = 3;
     const bool rough = cutter.solvablePieces().size() != cutter.pieces().size();
     if ((rough || m_profiles.size() > kFew) && level())
@@ -96,7 +98,7 @@ double Sweep::costOfPoint() const {
 
 Span Sweep::bandSpan(double y0, double y1) const {
     if (!m_arc) {
-        // The line within the band, widened by the rim on both sides, bounds the sweep.
+        // The part of the line within the band, widened by the rim on both sides, bounds the sweep.
         const double dy = m_straight.length * m_straight.along.y;
         double t0 = 0;
         double t1 = 1;
@@ -120,7 +122,7 @@ Span Sweep::bandSpan(double y0, double y1) const {
     return span;
 }
 
-/// At one height the cutter is lowest where it is nearest.
+/// On a motion at one height the cutter is lowest where it is nearest.
 double Sweep::levelEnvelope(const Vec2& point) const {
     if (m_arc)
         return m_path.centre.z + m_whole->height(m_path.distanceToCircle(point));

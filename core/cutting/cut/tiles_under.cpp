@@ -9,7 +9,7 @@ namespace proveout {
 namespace {
 
 /// First and last tile along one axis that [lo, hi] may touch; computed in double, as a motion may reach
-/// farther than any index. Nothing when first > last.
+/// farther than any index. Empty if first > last.
 struct TileRange {
     int first;
     int last;
@@ -37,7 +37,7 @@ void tilesToLower(const ZMap& zmap, const Sweep& sweep, std::vector<std::size_t>
         for (int ti = columns.first; ti <= columns.last; ++ti) {
             const auto index = static_cast<std::size_t>(tj) * static_cast<std::size_t>(zmap.tilesX()) +
                                static_cast<std::size_t>(ti);
-            // A tile that lies below the cutter as a whole cannot change, nor one that is all on the floor.
+            // A tile that is entirely below the cutter, or entirely on the floor, cannot change.
             const float maximum = zmap.tile(index).maximum;
             if (static_cast<double>(maximum) > sweep.lowest() && maximum > zmap.floor())
                 tiles.push_back(index);

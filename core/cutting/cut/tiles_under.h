@@ -9,8 +9,8 @@
 
 namespace proveout {
 
-/// Adds the tiles, ascending, that a sweep may lower: those under it that are not below the cutter as a
-/// whole, nor all on the floor.
+/// Adds the tiles, ascending, that a sweep may lower: those under it, except those that are entirely below
+/// the cutter or entirely on the floor.
 void tilesToLower(const ZMap& zmap, const Sweep& sweep, std::vector<std::size_t>& tiles);
 
 } // namespace proveout

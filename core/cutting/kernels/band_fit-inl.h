@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Leads by polynomials: made, and used. Compiled once an instruction set.
+// Fits leads by polynomials and evaluates them. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_BAND_FIT) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_BAND_FIT
 #undef PROVEOUT_CUTTING_BAND_FIT
@@ -17,15 +17,15 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Of heights that will do in general, mm.
+/// The error of heights that is generally acceptable, mm.
 inline constexpr float kFitError = 3e-5F;
 
-/// Neighbouring bands of a variable, as far as a block needs them.
+/// Neighbouring bands of a variable, as many as a block needs.
 struct BandFit {
     const LeadBands::Band* first;
     std::size_t count;
 
-    /// Outside of all: the nearest end's.
+    /// Outside of all bands: the value at the nearest end.
     HWY_INLINE V operator()(V variable) const {
         V value = of(first[0], variable);
         for (std::size_t k = 1; k < count; ++k)
@@ -44,7 +44,7 @@ private:
     }
 };
 
-/// Those of the bands that a variable from `least` to `most` goes through.
+/// The bands that a variable from `least` to `most` passes through.
 HWY_INLINE BandFit bandsBetween(const LeadBands& bands, float least, float most) {
     std::size_t begin = 0;
     while (begin + 1 < bands.count && bands.bands[begin + 1].begin <= least)
@@ -55,15 +55,16 @@ HWY_INLINE BandFit bandsBetween(const LeadBands& bands, float least, float most)
     return {&bands.bands[begin], end - begin};
 }
 
-/// The places in [-1, 1] where a polynomial is compared with what it stands for: the extremes of a Chebyshev
-/// polynomial, dense at both ends. It is made equal in every third.
-inline constexpr std::size_t kNodes = kBlock; ///< as many as fill whole vectors of any width
+/// The places in [-1, 1] where a polynomial is compared with the function that it approximates: the extremes
+/// of a Chebyshev polynomial, dense at both ends. The polynomial is fitted to be equal in every third of
+/// them.
+inline constexpr std::size_t kNodes = kBlock; ///< a number that fills whole vectors of any width
 inline constexpr float kNodePlaces[kNodes] = {1.0F,          0.978147601F,  0.913545458F,  0.809016994F,
                                               0.669130606F,  0.5F,          0.309016994F,  0.104528463F,
                                               -0.104528463F, -0.309016994F, -0.5F,         -0.669130606F,
                                               -0.809016994F, -0.913545458F, -0.978147601F, -1.0F};
 
-/// By its values in the nodes.
+/// The polynomial with these values in the nodes.
 inline LeadBands::Band bandOf(float begin, float end, const float* values) {
     constexpr std::size_t kLast = kNodes - 1;
     constexpr std::size_t kStep = 3;
@@ -76,7 +77,7 @@ inline LeadBands::Band bandOf(float begin, float end, const float* values) {
     const auto sum = [](const std::array<float, 3>& of, float a, float b, float c) {
         return a * of[0] + b * of[1] + c * of[2];
     };
-    // The inverse of the powers of the six places.
+    // The inverse of the matrix of powers of the six places.
     return {begin,
             0.5F * (begin + end),
             2.0F / (end - begin),
@@ -85,8 +86,9 @@ inline LeadBands::Band bandOf(float begin, float end, const float* values) {
              sum(even, 1.6F, -2.58885438F, 0.988854382F), sum(odd, 1.6F, -3.2F, 3.2F)}};
 }
 
-/// The polynomial over [begin, end], and whether it is near enough. `solved`: what it stands for, by the
-/// variable: value() of it, which tells where it counts, and by that height() of a point, in mm.
+/// Fits the polynomial over [begin, end] and returns whether it is near enough. `solved` is the function that
+/// it approximates: value() gives it by the variable and where it counts, and height() the height of a point
+/// from that value, in mm.
 template<class Solved>
 HWY_INLINE bool fitBand(Solved& solved, float begin, float end, LeadBands::Band& band) {
     const V middle = all(0.5F * (begin + end));
@@ -110,7 +112,7 @@ HWY_INLINE bool fitBand(Solved& solved, float begin, float end, LeadBands::Band&
     return hn::AllTrue(kFloats, hn::Le(apart, all(solved.error())));
 }
 
-/// Adds bands over [begin, end], halved until they are near enough; false where that takes too many.
+/// Adds bands over [begin, end], halved until they are near enough; false if that needs too many.
 template<class Solved>
 bool fitBands(Solved& solved, float begin, float end, LeadBands& bands) {
     std::array<float, LeadBands::kMost> ends{};

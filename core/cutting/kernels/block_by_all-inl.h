@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A block under many passes in whatever order leaves least to do. Compiled once an instruction set.
+// Lowers a block by many passes in the order that leaves the least work. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_BLOCK_BY_ALL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_BLOCK_BY_ALL
 #undef PROVEOUT_CUTTING_BLOCK_BY_ALL
@@ -16,8 +16,8 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Of all passes those that look lowest at some places of a block, which lie far from each other: once they
-/// are cut, most others are above.
+/// Of all passes, those whose bounds are lowest at some places of a block that are far from each other: once
+/// these passes are cut, most others are above the surface.
 class Seeds {
 public:
     static constexpr std::size_t kPlaces = 5;
@@ -29,7 +29,7 @@ public:
         }
     }
 
-    /// `passes`: their indices; those that `may` lower the block.
+    /// `passes`: their indices; only those that `may` lower the block count.
     HWY_INLINE void look(const Planes& planes, M may, V passes) {
         for (std::size_t k = 0; k < kPlaces; ++k) {
             const V ofRow = productPlus(all(kRows[k]), planes.perRow, planes.middle);
@@ -59,7 +59,7 @@ private:
     V m_passes[kPlaces]; ///< whole numbers, exact up to 2²⁴
 };
 
-/// One block by all passes of a table.
+/// Lowers one block by all passes of a table.
 class BlockByAll {
 public:
     BlockByAll(PassTable& table, TileUnderWork& work, std::size_t block)
@@ -103,12 +103,12 @@ private:
                                          hn::RebindMask(ints, may), ints, &m_found.pass[m_count]);
         }
         findRound(seeds);
-        // What fills the last vector is never found.
+        // The lanes that fill up the last vector must never be found.
         for (std::size_t k = 0; k < kLanes; ++k)
             m_found.lowest[m_count + k] = kInfinity;
     }
 
-    /// Of the passes on round paths, which stand behind the others.
+    /// Searches the passes on round paths, which follow the others.
     void findRound(Seeds& seeds) {
         const std::vector<PassTable::RoundPlanes>& rounds = m_table.roundPlanes();
         for (std::size_t k = 0; k < rounds.size(); ++k) {
@@ -168,7 +168,7 @@ private:
     PassTable::Candidates& m_found;
     TileUnderWork& m_work;
     std::size_t m_block;
-    std::size_t m_count = 0; ///< of the candidates found
+    std::size_t m_count = 0; ///< number of candidates found
     std::int32_t m_seeds[Seeds::kPlaces];
     std::size_t m_seedCount = 0;
 };

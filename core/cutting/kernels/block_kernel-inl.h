@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks of a tile under one pass: what bounds them, and how they are lowered. Compiled once an instruction
-// set.
+// Blocks of a tile under one pass: their bounds, and how they are lowered. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_BLOCK_KERNEL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_BLOCK_KERNEL
 #undef PROVEOUT_CUTTING_BLOCK_KERNEL
@@ -21,7 +20,7 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// For lowerGroup(): nobody wants to know.
+/// Collector for lowerGroup() when no losses are recorded.
 struct NoLosses {
     HWY_INLINE void add(std::size_t, std::size_t, V, V, M, V, V) {}
     HWY_INLINE void endGroup() {}
@@ -82,7 +81,7 @@ struct Plane {
     float perRow;
 };
 
-/// The groups of a block, a bit each, that may become lower where nothing lies below the plane.
+/// The groups of a block, one bit each, that may be lowered if the envelope is nowhere below the plane.
 HWY_INLINE std::uint32_t groupsAbove(const Plane& plane, const float* columnMaxima, float floor) {
     std::uint32_t groups = 0;
     const V perColumn = all(plane.perColumn);
@@ -106,8 +105,8 @@ inline Plane planeOf(const BlockPlanes& planes, std::size_t block) {
     return {planes.middle[block], planes.perColumn[block], planes.perRow[block]};
 }
 
-/// Planes below a pass over all blocks of a tile, and, a bit each, the blocks that it reaches below their
-/// maxima.
+/// Computes planes below a pass over all blocks of a tile, and returns, one bit each, the blocks that the
+/// pass reaches below their maxima.
 inline std::uint32_t blocksAbove(const TilePass& pass, const float* blockMaxima, float floor,
                                  BlockPlanes& planes) {
     const bool round = pass.path == TilePass::Path::round;
@@ -134,7 +133,8 @@ inline std::uint32_t blocksAbove(const TilePass& pass, const float* blockMaxima,
     return found;
 }
 
-/// Those groups of a block that `groups` has bits of. `taking`: makes a taker for a group.
+/// Lowers those groups of a block whose bits are set in `groups`. `collectorOf` makes the collector for a
+/// group.
 template<class Envelope, class Taking>
 HWY_INLINE void lowerEach(const Envelope& envelope, const BlockPlaces& places, TileUnderWork& work,
                           std::size_t block, std::uint32_t groups, const Taking& collectorOf) {
@@ -146,14 +146,14 @@ HWY_INLINE void lowerEach(const Envelope& envelope, const BlockPlaces& places, T
     }
 }
 
-/// The same, by whatever the envelope is over that block.
+/// The same with the form of the envelope over that block.
 template<class Envelope, class Taking>
 HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, TileUnderWork& work,
                             std::size_t block, std::uint32_t groups, const Taking& collectorOf) {
     const BlockPlaces places(pass, block);
     if constexpr (kOfBlocks<Envelope>) {
         withBlockEnvelope(envelope, pass, block, [&](const auto& overBlock) HWY_ATTR {
-            const auto own = overBlock; // nothing else can change it: it stays in registers
+            const auto own = overBlock; // a local copy, which nothing else can change, stays in registers
             lowerEach(own, places, work, block, groups, collectorOf);
         });
     } else {

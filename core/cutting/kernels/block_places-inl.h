@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of a block of a tile, as vectors. Compiled once an instruction set.
+// The points of a block of a tile, as vectors. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_BLOCK_PLACES) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_BLOCK_PLACES
 #undef PROVEOUT_CUTTING_BLOCK_PLACES
@@ -24,13 +24,13 @@ inline constexpr float kTileMiddle = (Tile::kSize - 1) / 2.0F;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 inline constexpr std::size_t kLanes =
-    hn::MaxLanes(kFloats);                               ///< no target of ours has vectors of unknown width
-inline constexpr std::size_t kVectors = kBlock / kLanes; ///< in a row of a block
+    hn::MaxLanes(kFloats);                               ///< no supported target has vectors of unknown width
+inline constexpr std::size_t kVectors = kBlock / kLanes; ///< per row of a block
 HWY_INLINE bool any(M mask) {
     return !hn::AllFalse(kFloats, mask);
 }
 
-// Of the first point of a block, from the tile's.
+// The first point of a block, relative to the tile's first.
 constexpr std::size_t columnOf(std::size_t block) {
     return block % Tile::kBlocks * kBlock;
 }
@@ -39,7 +39,7 @@ constexpr std::size_t rowOf(std::size_t block) {
 }
 inline constexpr float kBlockMiddle = (TileUnderWork::kBlock - 1) / 2.0F;
 
-/// Of a block, from the tile's.
+/// The middle of a block, relative to the tile's middle.
 struct BlockMiddle {
     float column;
     float row;
@@ -48,7 +48,7 @@ struct BlockMiddle {
           row(static_cast<float>(rowOf(block)) + kBlockMiddle - kTileMiddle) {}
 };
 
-/// Where the points of a block lie on and beside a path.
+/// Positions of the points of a block along and across a path.
 struct BlockPlaces {
     V alongColumns[kVectors];
     V acrossColumns[kVectors];
@@ -65,7 +65,7 @@ struct BlockPlaces {
             acrossColumns[k] = hn::Mul(all(pass.acrossX), columns);
         }
     }
-    /// Of a row and a vector of it.
+    /// `r`: the row; `k`: the vector within it.
     [[nodiscard]] HWY_INLINE V alongAt(std::size_t r, std::size_t k) const {
         return hn::Add(all(along + (row + static_cast<float>(r)) * alongY), alongColumns[k]);
     }

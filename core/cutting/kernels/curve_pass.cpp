@@ -9,14 +9,15 @@ namespace proveout {
 
 namespace {
 
-/// What a piece leaves the arc by, from one side to the other, mm.
+/// How far a piece may deviate from the arc, over both sides, mm.
 constexpr double kBulge = 2e-5;
 constexpr int kMostPieces = 4096;
-/// mm per mm. Single precision tells places to a millionth of a millimetre or two; a piece that is steeper
-/// goes over ground by less than its thousandth part, and is a plunge to its lower end.
+/// mm per mm. Single precision resolves positions to a millionth of a millimetre or two; a piece that is
+/// steeper moves over ground by less than a thousandth of its height, and is treated as a plunge to its lower
+/// end.
 constexpr double kSteepest = 300;
 
-/// Of a curve whose second derivative is nowhere larger than `bend`, over [begin, end].
+/// The number of pieces for a curve whose second derivative is nowhere larger than `bend`, over [begin, end].
 double piecesOf(const ArcPath& path) {
     return std::max(1.0, std::ceil((path.end - path.begin) * std::sqrt(path.bend() / (8 * kBulge))));
 }
@@ -28,7 +29,7 @@ const Vec3& lower(const Vec3& a, const Vec3& b) {
 } // namespace
 
 bool CurvePass::suffices(const ConvexProfile& profile, const ArcPath& path, const TileSpacing& spacing) {
-    // An upright arc is steep in few pieces, a helix in all of them.
+    // A vertical arc is steep in few pieces, a helix in all of them.
     StraightPath like;
     if (path.normal == 2)
         like.slope = path.climb / (path.sweep * std::min(path.radius, path.radius + path.widening));

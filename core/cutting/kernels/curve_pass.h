@@ -9,9 +9,9 @@
 
 namespace proveout {
 
-/// One convex profile on any arc, as straight pieces that leave it by a hundred-thousandth of a millimetre
-/// at most, on both sides alike. They are made anew for each tile: an arc may have thousands. Immutable; any
-/// thread.
+/// One convex profile on any arc, as straight pieces that deviate from it by a hundred-thousandth of a
+/// millimetre at most, equally on both sides. They are computed again for each tile, because an arc may have
+/// thousands. Immutable; any thread.
 class CurvePass {
 public:
     CurvePass(const ConvexProfile& profile, const ArcPath& path);
@@ -20,13 +20,13 @@ public:
     [[nodiscard]] static bool suffices(const ConvexProfile& profile, const ArcPath& path,
                                        const TileSpacing& spacing);
 
-    /// Adds those that may reach the tile whose middle lies at (x, y), far ones of them first: with the arc
-    /// cut roughly, most others are above it but where they touch.
+    /// Adds the pieces that may reach the tile with its middle at (x, y), starting with pieces far apart:
+    /// once the arc is cut roughly, most other pieces are above the surface except where they touch.
     void addOverTile(double x, double y, const TileSpacing& spacing, std::vector<TilePass>& passes) const;
 
 private:
     ConvexProfile m_profile;
-    ArcPath m_path; ///< a little wider, so that pieces lie on both sides
+    ArcPath m_path; ///< slightly widened, so that the pieces deviate to both sides
     int m_pieces;
     double m_bulge;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Envelopes whose leads are told by bands. Compiled once an instruction set.
+// Envelopes whose leads are given by bands. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_FITTED_ENVELOPE) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_FITTED_ENVELOPE
 #undef PROVEOUT_CUTTING_FITTED_ENVELOPE
@@ -19,7 +19,7 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// With more bands in a block it costs as much to solve it.
+/// With more bands in a block, evaluating them costs as much as solving it.
 inline constexpr std::size_t kMostBands = 7;
 
 struct FittedCornerLead {
@@ -31,7 +31,7 @@ struct FittedCornerLead {
     }
 };
 
-/// For fitBands(): what a straight path has in bands.
+/// For fitBands(): the lead on a straight path, as the function to be fitted.
 struct SolvedCornerLead {
     CornerForm form;
     CornerLead lead;
@@ -47,7 +47,7 @@ struct SolvedCornerLead {
     }
 };
 
-/// What the squares of the distances across go through in a block, as far as they are under the cutter.
+/// The bands for the squares of the distances across in a block, as far as they are under the cutter.
 HWY_INLINE BandFit bandsAcross(const TilePass& pass, std::size_t block) {
     const BlockMiddle at(block);
     const float half = kBlockMiddle * (std::abs(pass.acrossX) + std::abs(pass.acrossY));
@@ -57,7 +57,7 @@ HWY_INLINE BandFit bandsAcross(const TilePass& pass, std::size_t block) {
     return bandsBetween(*pass.bands, nearest * nearest, farthest * farthest);
 }
 
-/// What the distances outside of a circle go through.
+/// The bands for the distances outside of a circle.
 HWY_INLINE BandFit bandsOutside(const TilePass& pass, std::size_t block) {
     const BlockMiddle at(block);
     const TilePass::Round& round = pass.round;
@@ -67,7 +67,7 @@ HWY_INLINE BandFit bandsOutside(const TilePass& pass, std::size_t block) {
     return bandsBetween(*pass.bands, outside - round.blockReach, outside + round.blockReach);
 }
 
-/// Whether an envelope has another form over one block, that costs less.
+/// Whether an envelope has a form over one block that costs less.
 template<class Envelope>
 inline constexpr bool kOfBlocks = false;
 template<>
@@ -110,10 +110,11 @@ HWY_INLINE void withBlockEnvelope(const HelixEnvelope<Form>& envelope, const Til
     work(narrow);
 }
 
-/// The same envelope with those pieces of the profile alone that a block is as far from the path as.
+/// The same envelope with only those pieces of the profile that correspond to the block's distances from the
+/// path.
 template<class Envelope>
 HWY_INLINE Envelope narrowed(const Envelope& envelope, const TilePass& pass, std::size_t block) {
-    constexpr float kSlack = 1e-3F; // mm: more than is lost by rounding
+    constexpr float kSlack = 1e-3F; // mm: more than rounding can lose
     const BlockMiddle at(block);
     const float along = pass.along + at.column * pass.alongX + at.row * pass.alongY;
     const float across = pass.across + at.column * pass.acrossX + at.row * pass.acrossY;
@@ -143,7 +144,7 @@ bool fitAll(LeadSearch<Form, Way>& search, const TilePass& pass, LeadBands& band
     return fitBands(search, Way::least(pass), Way::most(pass), bands);
 }
 
-/// Beside the edge of its flat a hollow may touch over a narrow strip, which bands must not miss.
+/// Beside the edge of its flat a hollow may touch over a narrow strip, which the bands must not miss.
 template<class Way>
 bool fitAll(LeadSearch<HollowForm, Way>& search, const TilePass& pass, LeadBands& bands) {
     constexpr int kParts = 4;
@@ -175,7 +176,7 @@ inline bool fitStraightBands(const TilePass& pass, LeadBands& bands) {
     return pass.form == TilePass::Form::corner && fitBands(lead, 0.0F, pass.rim2, bands);
 }
 
-/// The bands of a pass; false where there are none.
+/// Fits the bands of a pass; false if there are none.
 inline bool fitPassBands(const TilePass& pass, LeadBands& bands) {
     if (pass.path == TilePass::Path::straight)
         return fitStraightBands(pass, bands);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The envelope of a hollow on a slope over a vector of points. Compiled once an instruction set.
+// The envelope of a hollow on a slope over a vector of points. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_HOLLOW_ENVELOPE) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_HOLLOW_ENVELOPE
 #undef PROVEOUT_CUTTING_HOLLOW_ENVELOPE
@@ -15,7 +15,7 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A hollow on a slope. It has no closed form: where it is lowest comes from bands. On the rim it may be
+/// A hollow on a slope. It has no closed form: bands give the place where it is lowest. On the rim it may be
 /// lower still.
 struct HollowEnvelope {
     HollowForm form;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a cutter on a helix or a slope is lowest over a point, by searching for it. Compiled once an
+// Searches for the place where a cutter on a helix or a slope is lowest over a point. Compiled once per
 // instruction set.
 #if defined(PROVEOUT_CUTTING_LEAD_SEARCH) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_LEAD_SEARCH
@@ -20,7 +20,8 @@ namespace {
 
 inline constexpr float kFar = 1e30F;
 
-// The slope of what a profile's side is a part of over the distance from the axis, by the square of that.
+// The slope of the curve that a profile's side is a part of, divided by the distance from the axis; the
+// argument is the square of that distance.
 
 HWY_INLINE V steepness(const FlatForm&, V) {
     return hn::Zero(kFloats);
@@ -44,7 +45,7 @@ HWY_INLINE V steepness(const HollowForm& form, V distance2) {
     return hn::Div(in, hn::Mul(up, hn::Max(distance, all(kTiny))));
 }
 
-// The square of the radius at which it ends by itself.
+// The square of the radius at which that curve ends by itself.
 
 HWY_INLINE V endOf(const FlatForm&) {
     return all(kFar);
@@ -62,9 +63,9 @@ HWY_INLINE V endOf(const HollowForm& form) {
     return square(form.ring);
 }
 
-/// The square of the radius at which it begins. Others are taken to go on inwards, so that there is nothing
-/// that bends; where that is lowest on its flat, they are on theirs as well. A hollow is steepest where it
-/// begins.
+/// The square of the radius at which that curve begins. Curves other than a hollow are assumed to continue
+/// inwards, so that they have no corner; where the continued curve is lowest on the flat, so is the profile.
+/// A hollow is steepest where it begins.
 template<class Form>
 HWY_INLINE V startOf(const Form&) {
     return hn::Zero(kFloats);
@@ -73,15 +74,15 @@ HWY_INLINE V startOf(const HollowForm& form) {
     return square(form.flatTo);
 }
 
-/// A point beside a path: how far, and how its distance grows: the cutter is, with c for how far ahead it
-/// stands, as far from it as the root of aside² + product · c².
+/// A point beside a path: its distance, and how the distance to the cutter grows: with c for how far ahead
+/// the cutter is, it is the root of aside² + product · c².
 struct PointAside {
     V aside;
     V product;
 };
 
-/// Points by how far outside of a helix they lie, the cutter's places by the chord to them on a circle of
-/// radius 1, from the point's own direction.
+/// Points are given by their distance outside of a helix, the cutter's positions by the chord to them on a
+/// circle of radius 1, from the point's own direction.
 class RoundWay {
 public:
     static constexpr float kLongest = 2;
@@ -91,7 +92,7 @@ public:
         return -std::min(std::sqrt(pass.rim2), pass.round.radius);
     }
     [[nodiscard]] static float most(const TilePass& pass) { return std::sqrt(pass.rim2); }
-    /// Of the flat.
+    /// Edges of the flat.
     [[nodiscard]] static float innerEdge(const TilePass& pass) { return std::max(-pass.flatTo, least(pass)); }
     [[nodiscard]] static float outerEdge(const TilePass& pass) { return pass.flatTo; }
     [[nodiscard]] static float fall(const TilePass& pass) { return pass.round.climb; }
@@ -99,7 +100,7 @@ public:
         const V product = hn::Mul(hn::Add(m_radius, outside), m_radius);
         return {outside, hn::Max(product, all(kTiny))};
     }
-    /// How fast the place goes on along the path, by the chord.
+    /// How fast the position advances along the path, as a function of the chord.
     [[nodiscard]] static HWY_INLINE V cosine(V chord) {
         return rootOf(minusProduct(all(0.25F), square(chord), all(1)));
     }
@@ -111,7 +112,8 @@ private:
     V m_radius;
 };
 
-/// Points by the square of how far beside a straight path they lie, places by how far ahead they are.
+/// Points are given by the square of their distance from a straight path, positions by how far ahead they
+/// are.
 class StraightWay {
 public:
     static constexpr float kLongest = 1e6F;
@@ -130,9 +132,9 @@ public:
 };
 
 /// For fitBands(). With R and ρ for the radii of a helix and a point, the point is o = ρ - R outside of it,
-/// and its distance to where the cutter stands d² = o² + ρRc²; on a straight path d² = o² + c². The height
+/// and its distance d to the cutter satisfies d² = o² + ρRc²; on a straight path d² = o² + c². The height
 /// over the point falls with c as long as h'(d)/d · ρRc√(1 - c²/4), or h'(d)/d · c, is less than the path's
-/// fall: where that is so no more for the first time it is lowest.
+/// fall: it is lowest where that first ceases to hold.
 template<class Form, class Way>
 class LeadSearch {
 public:
@@ -140,15 +142,15 @@ public:
         : m_form(pass), m_way(pass), m_fall(hn::Abs(all(Way::fall(pass)))), m_rim2(all(pass.rim2)),
           m_error(std::min(kFitError + kFitDistance * pass.rise, kMostError)) {}
 
-    /// Of heights that will do, mm.
+    /// The acceptable error of heights, mm.
     [[nodiscard]] float error() const { return m_error; }
-    /// More than one such place was found.
+    /// Whether more than one lowest place was found.
     [[nodiscard]] bool ambiguous() const { return m_ambiguous; }
-    /// It falls again where a point leaves the rim.
+    /// Whether the height falls again where a point leaves the rim.
     [[nodiscard]] bool leaves() const { return m_leaves; }
 
-    /// What touchingChord2() makes the chord of. It counts where there is such a place; elsewhere it is the
-    /// nearest to one.
+    /// The value from which touchingChord2() computes the chord. It counts where there is a lowest place;
+    /// elsewhere it is the nearest to one.
     HWY_INLINE V value(V variable, M& counts) {
         const PointAside at = m_way(variable);
         const PointAside point{hn::Max(hn::Abs(at.aside), all(kNearest)), at.product};
@@ -195,11 +197,12 @@ public:
 private:
     static constexpr float kShortest = 1e-3F;
     static constexpr int kSteps = 24;
-    static constexpr float kWithin = 1 - 1e-6F; ///< the end, where arcs are upright
+    static constexpr float kWithin = 1 - 1e-6F; ///< the end, where arcs are vertical
     static constexpr int kHalvings = 30;
-    static constexpr float kNearest = 1e-4F; ///< mm: to the path, lest nothing be divided by nothing
+    static constexpr float kNearest = 1e-4F; ///< mm: the least distance from the path, to avoid division by
+                                             ///< zero
     static constexpr int kThirds = 12;
-    static constexpr float kFitDistance = 2e-6F; ///< mm: what distances are told to
+    static constexpr float kFitDistance = 2e-6F; ///< mm: the accuracy of distances
     static constexpr float kMostError = 2e-4F;
 
     struct Search {
@@ -209,12 +212,12 @@ private:
         V most;
     };
 
-    /// Of the way to the last chord; close together near it, where arcs become steep.
+    /// As a fraction of the last chord; dense near it, where arcs become steep.
     static constexpr float placeOf(int step) {
         const float part = static_cast<float>(step) / kSteps;
         return std::is_same_v<Form, HollowForm> ? part * part : part * (2 - part);
     }
-    /// The square of the chord at which a point is as far from the axis.
+    /// The square of the chord at which a point has this distance from the axis.
     [[nodiscard]] static HWY_INLINE V upTo(V distance2, const PointAside& point) {
         const V ahead2 = hn::Sub(distance2, square(point.aside));
         return hn::Min(hn::Div(ahead2, point.product), all(Way::kLongest * Way::kLongest));
@@ -233,7 +236,7 @@ private:
         }
         return hn::Mul(all(0.5F), hn::Add(search.from, search.to));
     }
-    /// Where the height falls least fast.
+    /// The chord where the height falls least fast.
     [[nodiscard]] HWY_INLINE V nearestTo(const Search& search, V start, V last,
                                          const PointAside& point) const {
         if constexpr (std::is_same_v<Form, FlatForm>)
@@ -251,8 +254,8 @@ private:
         }
         return hn::Mul(all(0.5F), hn::Add(from, to));
     }
-    /// Whether heights fall again where points leave the rim before they are as far as can be, and the place
-    /// that was found is not there.
+    /// Notes whether heights fall again where points leave the rim before they are as far as possible, while
+    /// the place that was found is not there.
     HWY_INLINE void noteRim(const PointAside& point, V chord, M found) {
         const V most = rootOf(upTo(m_rim2, point));
         const M there = hn::And(found, hn::Ge(chord, most));
@@ -266,7 +269,7 @@ private:
     Way m_way;
     V m_fall; ///< of the path: mm per radian, or per mm
     V m_rim2;
-    float m_error; ///< on steep lines, which single precision tells less well, more
+    float m_error; ///< larger on steep lines, where single precision is less accurate
     bool m_ambiguous = false;
     bool m_leaves = false;
 };

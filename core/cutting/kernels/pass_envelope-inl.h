@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The envelope of one pass over a vector of points. Compiled once an instruction set.
+// The envelope of one pass over a vector of points. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_PASS_ENVELOPE) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_PASS_ENVELOPE
 #undef PROVEOUT_CUTTING_PASS_ENVELOPE
@@ -19,21 +19,22 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A row of a block is as wide as the widest vector.
+/// The vectors are at most as wide as a row of a block.
 using Floats = hn::CappedTag<float, TileUnderWork::kBlock>;
 using V = hn::Vec<Floats>;
 using M = hn::Mask<Floats>;
 
 inline constexpr Floats kFloats;
 inline constexpr int kCornerSteps = 3;
-inline constexpr float kNarrow = 1e-6F; ///< mm: what is left of a corner that touches at its end
-inline constexpr float kLevel = 1e-6F;  ///< falls below it are as good as none: their squares' products are
+inline constexpr float kNarrow = 1e-6F; ///< mm: the remainder of a corner that touches at its end
+inline constexpr float kLevel = 1e-6F;  ///< smaller falls are treated as this: the products of their squares
+                                        ///< would vanish
 inline constexpr float kTiny = 1e-30F;
 
 HWY_INLINE V all(float value) {
     return hn::Set(kFloats, value);
 }
-/// Square root of what may be below zero by rounding. Correctly rounded everywhere.
+/// Square root of a value that may be below zero through rounding. Correctly rounded everywhere.
 HWY_INLINE V rootOf(V value) {
     return hn::Sqrt(hn::Max(value, hn::Zero(kFloats)));
 }
@@ -41,8 +42,8 @@ HWY_INLINE V square(V value) {
     return hn::Mul(value, value);
 }
 
-// A product is rounded before it is added to, although processors can do otherwise: those that cannot would
-// give other bits.
+// A product is rounded before the addition, although some processors can do both in one step: those that
+// cannot would give other bits.
 HWY_INLINE V productPlus(V a, V b, V c) {
     return hn::Add(hn::Mul(a, b), c);
 }
@@ -55,12 +56,12 @@ HWY_INLINE V minusProduct(V a, V b, V c) {
 }
 
 HWY_INLINE std::uint32_t bitsOf(M mask) {
-    std::uint8_t bytes[8] = {}; // as many as are written at most
+    std::uint8_t bytes[8] = {}; // the largest number that is written
     hn::StoreMaskBits(kFloats, mask, bytes);
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-// The profile's height above its reference, by the squared distance from the axis.
+// The profile's height above its reference, as a function of the squared distance from the axis.
 
 struct FlatForm {
     explicit FlatForm(const TilePass&) {}
@@ -102,7 +103,7 @@ struct HollowForm {
     }
 };
 
-/// Some neighbouring pieces of a whole profile; none beyond them is asked for.
+/// Some neighbouring pieces of a whole profile; distances beyond them are never evaluated.
 struct WholeForm {
     const LevelProfile::Piece* first;
     std::size_t count;
@@ -118,7 +119,7 @@ struct WholeForm {
         return height;
     }
 
-    /// Those of distances from `least` to `most`.
+    /// Keeps only the pieces for distances from `least` to `most`.
     void narrow(float least, float most) {
         while (count > 1 && first->rim2 < least * least) {
             ++first;
@@ -139,7 +140,8 @@ private:
     }
 };
 
-// How far ahead of a point the cutter stands, on a slope, where it is lowest over it; by the distance across.
+// How far ahead of a point the cutter is, on a slope, where it is lowest over it, as a function of the
+// distance across.
 
 struct RimLead {
     V rim2;
@@ -163,7 +165,7 @@ struct BallLead {
     HWY_INLINE V operator()(V across2) const { return hn::Mul(rate, rootOf(hn::Sub(radius2, across2))); }
 };
 
-/// Of a ball that ends before its arc does.
+/// The lead of a ball that ends before its arc does.
 struct CutOffBallLead {
     BallLead ball;
     RimLead rim;
@@ -171,7 +173,7 @@ struct CutOffBallLead {
     HWY_INLINE V operator()(V across2) const { return hn::Min(ball(across2), rim(across2)); }
 };
 
-/// A quarter circle round an arc that the flat ends at.
+/// A quarter circle at the end of the flat.
 struct CornerShape {
     V ring, corner, flatTo2, rim2;
     explicit CornerShape(const TilePass& pass)
@@ -179,12 +181,13 @@ struct CornerShape {
           rim2(all(pass.rim2)) {}
 };
 
-/// The square of how far ahead the cutter stands when it touches with its corner: at the radius r of a
-/// profile of slope tan ψ where tan ψ · ahead / r is the fall. Sought by v, how far r lies beyond the ring
-/// and the distance across. By the logarithm of v / (most - v) that of the left side is nearly a line,
-/// steeper or flatter with the place, so that Newton's steps there, with the logarithm replaced by the first
-/// of its fractions, lead from anywhere to within 3e-6 mm of the lowest height in three: no lane waits for
-/// another. All powers of the fractions are multiplied out: one division a step, and no root.
+/// The square of how far ahead the cutter is when it touches with its corner: at the radius r of a profile of
+/// slope tan ψ where tan ψ · ahead / r equals the fall. The unknown is v, how far r exceeds the larger of the
+/// ring and the distance across. As a function of log(v / (most - v)), the logarithm of the left side is
+/// nearly a line, steeper or flatter depending on the place. Newton's steps there, with the logarithm
+/// replaced by the first of its fractions, therefore lead from anywhere to within 3e-6 mm of the lowest
+/// height in three steps, and no lane waits for another. All powers of the fractions are multiplied out: one
+/// division per step, and no root.
 HWY_INLINE V cornerAhead2(const CornerShape& shape, V fall, V within2) {
     const V one = all(1);
     const V across = hn::Sqrt(within2);
@@ -216,7 +219,7 @@ HWY_INLINE V cornerAhead2(const CornerShape& shape, V fall, V within2) {
     }
     return hn::Mul(hn::Add(v, beside), productPlus(all(2), across, hn::Add(v, beside)));
 }
-/// The distance itself, not on the flat and not beyond the rim.
+/// The lead itself, limited so that it is neither on the flat nor beyond the rim.
 HWY_INLINE V cornerLeadOf(const CornerShape& shape, V ahead2, V within2) {
     const V lead2 = hn::Max(ahead2, hn::Sub(shape.flatTo2, within2));
     return rootOf(hn::Min(lead2, hn::Sub(shape.rim2, within2)));
@@ -275,7 +278,7 @@ struct SlopedEnvelope {
     }
 };
 
-/// Calls `work` with the envelope of a pass: one type a form and slope, so that loops are compiled for it.
+/// Calls `work` with the envelope of a pass: one type per form and slope, so that loops are compiled for it.
 template<class Work>
 HWY_INLINE void withEnvelope(const TilePass& pass, const Work& work) {
     switch (pass.form) {

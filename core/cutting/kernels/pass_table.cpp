@@ -18,7 +18,7 @@ void PassTable::arrange() {
         for (std::size_t k = 0; k < m_straight; ++k)
             *values++ = m_passes[k].*kFields[field];
     }
-    // Whole vectors are written wherever the last value goes.
+    // Whole vectors are written, wherever the last value is.
     const std::size_t most = m_padded + m_roundPlanes.size() + kWidest;
     for (std::vector<float>* values :
          {&m_candidates.middle, &m_candidates.perColumn, &m_candidates.perRow, &m_candidates.lowest})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The envelope of one pass on a round path over a vector of points. Compiled once an instruction set.
+// The envelope of one pass on a round path over a vector of points. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_ROUND_ENVELOPE) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_ROUND_ENVELOPE
 #undef PROVEOUT_CUTTING_ROUND_ENVELOPE
@@ -38,7 +38,7 @@ inline constexpr std::array kArcTangent = {0.999999981F, -0.333327858F, 0.199740
 inline constexpr std::array kArcSine = {1.00000007F, 0.166652196F, 0.0754534558F, 0.0397944433F,
                                         0.0503576819F};
 
-/// From the first axis; in [-π, π].
+/// The angle from the first axis, in [-π, π].
 HWY_INLINE V angleOf(V x, V y) {
     constexpr float kTangentOfEighth = 0.414213562F;
     const V wide = hn::Abs(x);
@@ -54,7 +54,7 @@ HWY_INLINE V angleOf(V x, V y) {
     return hn::CopySign(half, y);
 }
 
-/// In [0, π/2] for what is in [0, 1].
+/// The result is in [0, π/2] for arguments in [0, 1].
 HWY_INLINE V arcSineOf(V sine) {
     const M large = hn::Gt(sine, all(0.5F));
     const V rest = rootOf(hn::Mul(all(0.5F), hn::Sub(all(1), sine)));
@@ -71,8 +71,8 @@ struct RoundPlace {
     V outside; ///< how much farther than the circle
 };
 
-/// The circle of a path's middle radius. What is outside of it is told from squares, whose difference is
-/// taken near the tile: no digits go with the radius.
+/// The circle with the path's middle radius. The distance outside of it is computed from squares whose
+/// difference is formed near the tile, so that a large radius costs no precision.
 struct Circle {
     V middleAlong, middleAcross, excess, radius;
     explicit Circle(const TilePass::Round& round)
@@ -115,7 +115,7 @@ struct RoundSector {
     }
 };
 
-/// At one height: where it is nearest it is lowest.
+/// At one height, the cutter is lowest where it is nearest.
 template<class Form>
 struct LevelRoundEnvelope {
     Form form;
@@ -142,16 +142,17 @@ struct LevelRoundEnvelope {
     }
 };
 
-/// Of the chord to where a cutter touches, by what bands tell. Below a cone it is as good as proportional to
-/// the distance from the circle, and as sharp where that is none: bands tell their ratio.
+/// The square of the chord to where a cutter touches, from the value of the bands. Below a cone it is nearly
+/// proportional to the distance from the circle, and as sharp as it where that distance is zero, so the bands
+/// give their ratio.
 template<class Form>
 HWY_INLINE V touchingChord2(V value, V outside2) {
     return std::is_same_v<Form, LineForm> ? hn::Mul(value, outside2) : value;
 }
 
-/// Rising or falling evenly. Where the cutter stands when it is lowest over a point comes from bands, by the
-/// chord to it from the point's own direction. Whatever place they lead to is a place of the path, and the
-/// ends are looked at besides, so that nothing that is found is too low.
+/// Rising or falling evenly. Bands give the position of the cutter where it is lowest over a point, as the
+/// chord to it from the point's own direction. Any position that they lead to is a position of the path, and
+/// the ends are evaluated as well, so that no result is too low.
 template<class Form>
 struct HelixEnvelope {
     Form form;
@@ -173,7 +174,8 @@ struct HelixEnvelope {
     }
 
 private:
-    static constexpr float kRounded = 1 + 4e-6F; ///< what rounds beyond the rim is still on it
+    static constexpr float kRounded = 1 + 4e-6F; ///< values that rounding moves beyond the rim still count as
+                                                 ///< on it
 
     static HWY_INLINE Cut lower(const Cut& a, const Cut& b) {
         const V infinite = all(1e30F);
@@ -185,7 +187,8 @@ private:
         return {hn::Add(height, form.height(distance2)), hn::Le(distance2, rim2)};
     }
 
-    /// Where it touches, neither on its flat nor beyond its rim, and where the point leaves that.
+    /// The height where it touches, neither on its flat nor beyond its rim, and where the point leaves the
+    /// rim.
     HWY_INLINE Cut inside(const RoundPlace& place) const {
         const V angle = angleOf(place.along, place.across);
         const V outside2 = square(place.outside);
@@ -210,7 +213,7 @@ private:
     }
 };
 
-/// As withEnvelope() of straight paths.
+/// Like withEnvelope() for straight paths.
 template<class Work>
 HWY_INLINE void withRoundEnvelope(const TilePass& pass, const Work& work) {
     switch (pass.form) {
@@ -237,7 +240,7 @@ HWY_INLINE void withRoundEnvelope(const TilePass& pass, const Work& work) {
     }
 }
 
-/// Calls `work` with the envelope of a pass, whatever its path.
+/// Calls `work` with the envelope of a pass on any path.
 template<class Work>
 HWY_INLINE void withAnyEnvelope(const TilePass& pass, const Work& work) {
     if (pass.path == TilePass::Path::round)
@@ -248,7 +251,7 @@ HWY_INLINE void withAnyEnvelope(const TilePass& pass, const Work& work) {
         withEnvelope(pass, work);
 }
 
-/// How far beside the path points lie, left of it positive.
+/// The distance of points from the path, positive to the left of it.
 HWY_INLINE V besidePath(const TilePass& pass, V along, V across) {
     if (pass.path == TilePass::Path::straight)
         return across;

@@ -10,16 +10,16 @@ namespace proveout {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-/// More numbers go into a distance than on a straight path.
+/// A distance is computed from more numbers than on a straight path.
 constexpr double kRimSlack = 5e-7;
 constexpr double kBoundSlack = 4e-6;
 
 constexpr double kLargestRadius = 1e5; ///< mm, of a path
 constexpr double kSteepest = 4;        ///< mm per mm
 constexpr double kMostClimb = 20;      ///< mm per radian
-/// By how much a point may be nearer to a spiral than to the circles it is told from, mm.
+/// How much nearer a point may be to a spiral than to the circles that replace it, mm.
 constexpr double kNearer = 1e-5;
-/// Helices fall apart into parts of that: bounds take the lowest height of a part for all of it.
+/// Helices are split into parts of this angle, because bounds use the lowest height of a part for all of it.
 constexpr double kPartOfHelix = kTurn / 4;
 
 float toFloat(double value) {
@@ -30,8 +30,9 @@ double least(const ArcPath& path) {
     return std::min(std::abs(path.radius), std::abs(path.radius + path.widening));
 }
 
-/// How much of a helix, radians, is a part. One that widens by w a radian is cut into parts of circles: from
-/// a centre that lies w aside of its own these leave it by w · θ³ / 6, and run ahead of it by w / R · θ² / 2.
+/// The angle of a part of a helix, radians. A helix that widens by w per radian is cut as parts of circles:
+/// with a centre that is w beside its own, these deviate from it by w · θ³ / 6, and run ahead of it by w / R
+/// · θ² / 2.
 double mostOfHelix(const ArcPath& path) {
     const double perRadian = std::abs(path.widening / path.sweep);
     if (perRadian == 0)
@@ -144,7 +145,8 @@ std::vector<RoundPass> RoundPass::allOf(const HollowProfile& hollow, const ArcPa
 }
 
 bool RoundPass::fitLeads(std::span<RoundPass> parts) {
-    constexpr double kAlike = 5e-3; // of a radius: heights depend on the square of what leads are off
+    constexpr double kAlike = 5e-3; // as a fraction of the radius: heights depend on the square of the error
+                                    // of leads
     const RoundPass* last = nullptr;
     for (RoundPass& part : parts) {
         if (last == nullptr || std::abs(part.m_radius - last->m_radius) > kAlike * last->m_radius) {
@@ -181,7 +183,7 @@ TilePass RoundPass::overTile(double x, double y, const TileSpacing& spacing) con
     pass.slack = toFloat(kBoundSlack * (size * (1 + m_slope) + std::abs(m_z)));
     round.middleAlong = toFloat(along);
     round.middleAcross = toFloat(across);
-    // In double: near the path it is a difference of large numbers.
+    // In double, because near the path it is a difference of large numbers.
     round.excess = toFloat(along * along + across * across - m_radius * m_radius);
     const auto end = [&](double side, float& endAlong, float& endAcross) {
         const double angle = side * m_half;

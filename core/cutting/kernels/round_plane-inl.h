@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of passes on round paths from below. Compiled once an instruction set.
+// Lower bounds of passes on round paths. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_ROUND_PLANE) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_ROUND_PLANE
 #undef PROVEOUT_CUTTING_ROUND_PLANE
@@ -15,10 +15,10 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// As supportingPlanes(), of one pass on a round path. Its lowest height all round the circle is a bound;
-/// with s for the profile's slope at the block's middle, that is s·|r - R| - h*(s) by the convex conjugate,
-/// of which the tangent plane lies below on the outer side, where r is convex. On the inner side it may lie
-/// above by what the circle bends over a block.
+/// Like supportingPlanes(), for one pass on a round path. Its lowest height all around the circle is a bound;
+/// with s for the profile's slope at the block's middle, that is s·|r - R| - h*(s) by the convex conjugate.
+/// On the outer side, where r is convex, the tangent plane of that is below it. On the inner side the plane
+/// may be above it by as much as the circle bends over a block.
 HWY_INLINE Planes roundPlanes(const TilePass& pass, V column, V row) {
     const TilePass::Round& round = pass.round;
     const V zero = hn::Zero(kFloats);

@@ -9,13 +9,14 @@ namespace proveout {
 namespace {
 
 /// Distances are computed from numbers as large as the cutter and a tile; a point on the rim must count as
-/// under the cutter whichever way each of them rounds.
+/// under the cutter whichever way each of them is rounded.
 constexpr double kRimSlack = 2e-7;
 /// A bound is a sum of several products, each as large as a length or a height times a slope.
 constexpr double kBoundSlack = 2e-6;
 
-constexpr double kLargest = 200;   ///< mm: radius
-constexpr double kNarrowTile = 24; ///< mm: from its middle to a corner; wider ones only below large cutters
+constexpr double kLargest = 200;   ///< mm: largest radius
+constexpr double kNarrowTile = 24; ///< mm: from a tile's middle to a corner; wider tiles only below large
+                                   ///< cutters
 constexpr double kSteepest = 16;   ///< mm per mm
 
 float toFloat(double value) {
@@ -26,12 +27,12 @@ bool isBall(const ConvexProfile& profile) {
     return profile.flatTo == 0 && profile.centreR == 0;
 }
 
-/// The square of how far ahead a cone stands, per square of the distance across.
+/// The square of how far ahead a cone is, divided by the square of the distance across.
 double lineLead(double fall, double rise) {
     return fall < rise ? fall * fall / ((rise - fall) * (rise + fall)) : -1;
 }
 
-/// How far ahead of a point the cutter stands when it is lowest over it, about: exact for balls, and at the
+/// Roughly how far ahead of a point the cutter is when it is lowest over it: exact for balls, and at the
 /// path's line for others.
 void setAhead(TilePass& form, const ConvexProfile& profile, double fall) {
     const double sine = fall / std::sqrt(1 + fall * fall);
@@ -119,7 +120,7 @@ TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) 
     const double dy = y - m_path.from.y;
     const double along = dx * m_path.along.x + dy * m_path.along.y;
     const double size = m_rim + spacing.tileReach;
-    // What lies farther than the cutter reaches, from any point, need not be told apart.
+    // Points beyond the cutter's reach need not be distinguished.
     const double far = size + 1;
     const double origin = std::clamp(along, 0.0, m_path.length);
     const double z = m_path.z + m_path.slope * origin + m_reference;

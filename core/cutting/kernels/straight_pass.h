@@ -13,7 +13,7 @@
 
 namespace proveout {
 
-/// Of a grid.
+/// The spacing of a grid.
 struct TileSpacing {
     double hx;
     double hy;
@@ -25,10 +25,11 @@ struct TileSpacing {
           blockReach(std::hypot(x, y) * (Tile::kBlockSize - 1) / 2) {}
 };
 
-/// Makes a pass of the line below a hollow one of the hollow.
+/// Turns the pass of the line below a hollow into one of the hollow itself.
 void setHollow(TilePass& form, const HollowProfile& hollow);
 
-/// One profile on one straight path, ready to be seen from any tile of a grid. Immutable; any thread.
+/// One profile on one straight path, from which the pass over any tile of a grid can be made. Immutable; any
+/// thread.
 class StraightPass {
 public:
     StraightPass(const ConvexProfile& profile, const StraightPath& path);
@@ -36,29 +37,30 @@ public:
     /// A whole profile on a level path.
     StraightPass(std::shared_ptr<const LevelProfile> whole, const StraightPath& path);
 
-    /// A hollow on a path that is not level; of no use without its leads.
+    /// A hollow on a path that is not level; cannot be used without its leads.
     StraightPass(const HollowProfile& hollow, const StraightPath& path);
 
-    /// Whether single precision tells the envelope over a grid to a ten thousandth of a millimetre. Very
-    /// large cutters, wide grids and near plunges want more digits.
+    /// Whether single precision gives the envelope over a grid to a ten-thousandth of a millimetre. Very
+    /// large cutters, wide grids and near-plunges need more digits.
     [[nodiscard]] static bool suffices(const ConvexProfile& profile, const StraightPath& path,
                                        const TileSpacing& spacing);
 
-    /// What a pass of this slope is on any path and over any tile.
+    /// The values of a pass that depend only on the profile and the slope.
     [[nodiscard]] static TilePass formOf(const ConvexProfile& profile, const StraightPath& path);
 
-    /// Finds leads once for all points, which is worth it for many; false where they cannot be told so. See
-    /// LeadBands.
+    /// Fits the leads once for all points, which pays off for many points; false if they cannot be
+    /// approximated. See LeadBands.
     bool fitLeads();
 
-    /// Seen from the tile whose middle lies at (x, y), in the path's coordinates; not beyond this one's life.
+    /// The pass over the tile with its middle at (x, y), in the path's coordinates; it must not outlive this
+    /// object.
     [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;
 
 private:
     StraightPath m_path;
     double m_rim;
     double m_reference; ///< of the profile's heights
-    TilePass m_form;    ///< what does not depend on the place
+    TilePass m_form;    ///< the values that do not depend on the tile
     std::shared_ptr<const LevelProfile> m_whole;
     std::shared_ptr<const LeadBands> m_bands;
 };

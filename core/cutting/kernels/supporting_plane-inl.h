@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of passes from below. Compiled once an instruction set.
+// Lower bounds of passes. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_SUPPORTING_PLANE) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_SUPPORTING_PLANE
 #undef PROVEOUT_CUTTING_SUPPORTING_PLANE
@@ -14,7 +14,8 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// What bounds are made of, of a vector of passes, or of one pass in all lanes. As in TilePass.
+/// The values from which bounds are computed, for a vector of passes or for one pass in all lanes. As in
+/// TilePass.
 struct PassLanes {
     V along, across, alongX, acrossX, alongY, acrossY, begin, end, z, slope, rise, radius, ring, aheadRate,
         aheadRadius2, inner, outer, reach2, slack;
@@ -36,14 +37,15 @@ HWY_INLINE PassLanes lanesOf(const PassTable& table, std::size_t at) {
             field(14), field(15), field(16), field(17), field(18)};
 }
 
-/// Planes that lie nowhere above the envelope: over the middle of a block, and per column and row.
+/// Planes that are nowhere above the envelope: height over the middle of a block, and change per column and
+/// row.
 struct Planes {
     V middle;
     V perColumn;
     V perRow;
-    M reaches; ///< the block; where not, nothing is under the cutter
+    M reaches; ///< whether the cutter reaches the block; otherwise nothing of the block is under it
 
-    /// Over the block.
+    /// The lowest height over the block.
     [[nodiscard]] HWY_INLINE V lowest() const {
         const V tilt = hn::Add(hn::Abs(perColumn), hn::Abs(perRow));
         return minusProduct(all(kHalf), tilt, middle);
@@ -51,10 +53,10 @@ struct Planes {
     static constexpr float kHalf = (TileUnderWork::kBlock - 1) / 2.0F;
 };
 
-/// `column`, `row`: a block's middle, from the tile's. Any gradient g has such a plane, whose height comes
-/// from the convex conjugate of profile and path: z(p) = min_u z₀ + m·u + h(|p - u|) is nowhere below
-/// g·p + z₀ + min_u (m - g_s)·u - h*(|g|). That is why it need only be guessed, and is: as the profile's
-/// where the cutter stands, about, when it is lowest over the middle.
+/// `column`, `row`: a block's middle, relative to the tile's. Any gradient g has such a plane, whose height
+/// comes from the convex conjugate of profile and path: z(p) = min_u z₀ + m·u + h(|p - u|) is nowhere below
+/// g·p + z₀ + min_u (m - g_s)·u - h*(|g|). Therefore the gradient need not be exact: it is estimated as that
+/// of the profile at the cutter's approximate position when it is lowest over the middle.
 HWY_INLINE Planes supportingPlanes(const PassLanes& pass, V column, V row) {
     const V zero = hn::Zero(kFloats);
     const V along = productPlus(row, pass.alongY, productPlus(column, pass.alongX, pass.along));
@@ -66,7 +68,7 @@ HWY_INLINE Planes supportingPlanes(const PassLanes& pass, V column, V row) {
     const V place = hn::Min(hn::Max(wanted, pass.begin), pass.end);
     const V away = hn::Sub(along, place);
     const V distance = hn::Sqrt(productPlus(away, away, across2));
-    // Near its end the arc is too steep for a bound to tell anything.
+    // Near its end the arc is too steep for a useful bound.
     const V out = hn::Min(hn::Max(hn::Sub(distance, pass.ring), zero), hn::Mul(all(0.97F), pass.radius));
     const V up = hn::Sqrt(hn::Max(minusProduct(out, out, square(pass.radius)), all(kTiny)));
     const V ofLine = hn::IfThenElseZero(hn::Gt(distance, pass.inner), pass.rise);

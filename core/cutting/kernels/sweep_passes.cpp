@@ -12,13 +12,13 @@ bool reachesOver(double points, double rim, double length, const TileSpacing& sp
     return 2 * rim * (length + rim) >= points * spacing.hx * spacing.hy;
 }
 
-/// Fitting leads costs about as much as solving these for some thousand points.
+/// Fitting leads costs about as much as solving them for some thousand points.
 bool worthFitting(const ConvexProfile& profile, double length, const TileSpacing& spacing) {
     constexpr double kPoints = 10'000;
     return reachesOver(kPoints, profile.rim, length, spacing);
 }
 
-/// As many lines as a hollow is cut as otherwise cost more.
+/// Cutting the hollow as many lines instead costs more.
 bool worthFitting(const HollowedProfiles& profiles, double length, const TileSpacing& spacing) {
     constexpr double kPoints = 2'000;
     const auto worth = [&](const HollowProfile& hollow) {

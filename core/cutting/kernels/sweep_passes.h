@@ -12,12 +12,12 @@
 
 namespace proveout {
 
-/// One motion as inner loops see it over a grid: for each of the cutter's profiles what its path is made of.
+/// One motion for the inner loops over a grid: the passes along the path for each of the cutter's profiles.
 /// Immutable; any thread.
 class SweepPasses {
 public:
     SweepPasses() = default; ///< none
-    /// None where single precision does not suffice.
+    /// Empty if single precision does not suffice.
     SweepPasses(std::span<const ConvexProfile> profiles, const StraightPath& path,
                 const TileSpacing& spacing);
     /// A whole profile on a level path.
@@ -26,18 +26,18 @@ public:
     SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const ArcPath& path,
                 const TileSpacing& spacing);
     SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath& path, const TileSpacing& spacing);
-    /// None as well where it costs less to cut hollows as lines.
+    /// Also empty if it costs less to cut hollows as lines.
     SweepPasses(const HollowedProfiles& profiles, const StraightPath& path, const TileSpacing& spacing);
     SweepPasses(const HollowedProfiles& profiles, const ArcPath& path, const TileSpacing& spacing);
 
     [[nodiscard]] bool empty() const { return m_straight.empty() && m_round.empty() && m_curves.empty(); }
-    /// The work on one point at most, as a multiple of that on a point of a straight motion.
+    /// The largest work on one point, as a multiple of that on a point of a straight motion.
     [[nodiscard]] double costOfPoint() const;
-    /// Adds those that may reach the tile whose middle lies at (x, y), in the path's coordinates.
+    /// Adds the passes that may reach the tile with its middle at (x, y), in the path's coordinates.
     void addOverTile(double x, double y, const TileSpacing& spacing, std::vector<TilePass>& passes) const;
 
 private:
-    /// False where one of them does not suffice after all.
+    /// False if one of them does not suffice after all.
     template<class Profile>
     [[nodiscard]] bool addRound(std::span<const Profile> profiles, const ArcPath& path);
     [[nodiscard]] bool addStraight(std::span<const HollowProfile> profiles, const StraightPath& path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiled once an instruction set; the best that the processor has is taken where a function is first
+// Compiled once per instruction set; the best version for the processor is selected when a function is first
 // called.
 #include "core/cutting/kernels/tile_kernel.h"
 
@@ -8,7 +8,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/cutting/kernels/tile_kernel.cpp"
-// Before Highway: its headers are compiled again and again.
+// Before Highway, whose headers compile this file again for each target.
 #include <hwy/foreach_target.h> // IWYU pragma: keep
 #include <hwy/highway.h>
 
@@ -64,7 +64,7 @@ struct BlockBefore {
                            &heights[row * kBlock + column]);
         }
     }
-    /// `pass`: one of them; all have the same path.
+    /// `pass`: any of the passes; they all have the same path.
     void compare(const TilePass& pass, const TileUnderWork& work, std::size_t block, Losses& losses) const {
         const BlockPlaces places(pass, block);
         for (std::size_t group = 0; group < kGroups; ++group) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inner loops of cutting: straight motions over one tile, in vectors of whatever width the processor has.
-// The same bits on every processor and for every width.
+// The inner loops of cutting: lower one tile by straight and round passes, in vectors of the width that the
+// processor has. The same bits on every processor and for every width.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace proveout {
 
-/// The heights of a tile that is being lowered, and what bounds them. Blocks of 16 × 16 points are told apart
-/// by groups of four rows: a motion is computed only for groups that it may lower. Not thread-safe.
+/// The heights of a tile that is being lowered, and their bounds. Blocks of 16 × 16 points are divided into
+/// groups of four rows: a motion is computed only for groups that it may lower. Not thread-safe.
 class TileUnderWork {
 public:
     static constexpr std::size_t kBlock = Tile::kBlockSize;
@@ -25,19 +25,19 @@ public:
     static constexpr std::size_t kGroups = kBlock / kGroupRows;
     static constexpr std::size_t kBlocks = std::size_t{Tile::kBlocks} * Tile::kBlocks;
 
-    /// `tile` is kept by the caller; nothing goes below `floor`.
+    /// `tile` is kept by the caller; no height becomes lower than `floor`.
     TileUnderWork(Tile& tile, float floor) : m_tile(&tile), m_floor(floor) {}
 
     [[nodiscard]] Tile& tile() const { return *m_tile; }
     [[nodiscard]] float floor() const { return m_floor; }
-    /// From now on what lowerByMotion() lowers gets this mark, point by point as the heights.
+    /// From now on points that lowerByMotion() lowers get this mark; marks are laid out as the heights.
     void mark(std::uint32_t* marks, std::uint32_t mark) {
         m_marks = marks;
         m_mark = mark;
     }
     [[nodiscard]] std::uint32_t* marks() const { return m_marks; }
     [[nodiscard]] std::uint32_t mark() const { return m_mark; }
-    /// Heights that others have lowered: what is known of them is forgotten.
+    /// Discards the known bounds, because others have lowered heights.
     void forget() { m_known = 0; }
 
     /// The first point of a group of a block.
@@ -57,37 +57,37 @@ private:
     float m_floor;
     std::uint32_t* m_marks = nullptr;
     std::uint32_t m_mark = 0;
-    std::uint32_t m_known = 0; ///< a bit a block: whether its columns' maxima are
+    std::uint32_t m_known = 0; ///< one bit per block: whether its columns' maxima are known
     alignas(64) std::array<float, kBlocks * kBlock * kGroups> m_columnMaxima;
 };
 
-/// By how much of a cell's area points weigh in a volume: 1, on the border of the map a half.
+/// The share of a cell's area by which points count in a volume: 1, and half on the border of the map.
 struct PointWeights {
     alignas(64) std::array<float, Tile::kSize> columns;
     std::array<float, Tile::kSize> rows;
 };
 
-/// What one motion took from a tile.
+/// What one motion removed from a tile.
 struct TileLoss {
     double sum = 0;  ///< of heights by weight, in an order that does not depend on the width of vectors
     float depth = 0; ///< the largest
     std::int64_t points = 0;
-    std::uint64_t columns = 0; ///< a bit each: whether any of their points became lower
+    std::uint64_t columns = 0; ///< one bit each: whether any of their points were lowered
     std::uint64_t rows = 0;
     float engagedFrom = std::numeric_limits<float>::infinity(); ///< as in CutRecord
     float engagedTo = -std::numeric_limits<float>::infinity();
 };
 
-/// Whether one of the passes may lower a point of the tile; where not, none does.
+/// Whether one of the passes may lower a point of the tile; if false, none does.
 [[nodiscard]] bool mayLower(std::span<const TilePass> passes, const Tile& tile, float floor);
 
-/// Lowers the tile by one motion: the passes of all its profiles. `weights`: none, and all points weigh 1.
-/// Where it is stopped some blocks are left as they were.
+/// Lowers the tile by one motion: the passes of all its profiles. `weights`: null if all points weigh 1. If
+/// it is stopped, some blocks are unchanged.
 [[nodiscard]] TileLoss lowerByMotion(std::span<const TilePass> passes, TileUnderWork& work,
                                      const PointWeights* weights, const std::stop_token& stop);
 
-/// Planes below one pass over all blocks of a tile: over their middles, per column and row, and the planes'
-/// lowest places.
+/// Planes below one pass over all blocks of a tile: height over their middles, change per column and row, and
+/// the planes' lowest heights.
 struct BlockPlanes {
     using PerBlock = std::array<float, TileUnderWork::kBlocks>;
     alignas(64) PerBlock middle;
@@ -96,10 +96,11 @@ struct BlockPlanes {
     PerBlock lowest;
 };
 
-/// All passes that may lower a tile, field by field for the bounds of many at once. Not thread-safe.
+/// All passes that may lower a tile, stored field by field so that the bounds of many are computed at once.
+/// Not thread-safe.
 class PassTable {
 public:
-    /// What bounds of passes on straight paths are made of.
+    /// The fields from which bounds of passes on straight paths are computed.
     static constexpr std::array kFields = {
         &TilePass::along,  &TilePass::across,    &TilePass::alongX,       &TilePass::acrossX,
         &TilePass::alongY, &TilePass::acrossY,   &TilePass::begin,        &TilePass::end,
@@ -111,19 +112,19 @@ public:
 
     void clear() { m_passes.clear(); }
     void add(const TilePass& pass) { m_passes.push_back(pass); }
-    /// To be called after the last add().
+    /// Call it after the last add().
     void arrange();
 
     [[nodiscard]] std::size_t size() const { return m_passes.size(); }
-    /// Those on straight paths come first, once they are arranged.
+    /// Passes on straight paths come first, once the table is arranged.
     [[nodiscard]] std::size_t straightCount() const { return m_straight; }
     [[nodiscard]] std::span<const TilePass> passes() const { return m_passes; }
-    /// Values of one field of passes on straight paths; as many as fill whole vectors, those of no pass with
-    /// a `reach2` below 0.
+    /// Values of one field of the passes on straight paths, padded to whole vectors; the padding has a
+    /// `reach2` below 0.
     [[nodiscard]] const float* field(std::size_t index) const { return m_fields.data() + index * m_padded; }
 
-    /// Planes below those passes that may lower a block, over its middle and per column and row, and the
-    /// planes' lowest place in the block.
+    /// Planes below those passes that may lower a block: height over its middle, change per column and row,
+    /// and the planes' lowest height in the block.
     struct Candidates {
         std::vector<float> middle;
         std::vector<float> perColumn;
@@ -131,10 +132,10 @@ public:
         std::vector<float> lowest;
         std::vector<std::int32_t> pass;
     };
-    /// Of each pass on a round path.
+    /// The planes of each pass on a round path.
     struct RoundPlanes {
         BlockPlanes planes;
-        std::uint32_t blocks; ///< a bit each: which it may lower
+        std::uint32_t blocks; ///< one bit each: the blocks that it may lower
     };
     [[nodiscard]] std::vector<RoundPlanes>& roundPlanes() { return m_roundPlanes; }
 
@@ -149,8 +150,8 @@ private:
     Candidates m_candidates;
 };
 
-/// Lowers the tile by all passes, in whatever order takes least: heights are minima, so that order is
-/// nothing to them. False where it was stopped: some were done.
+/// Lowers the tile by all passes, in the fastest order; heights are minima, so the order does not affect
+/// them. False if it was stopped, when some passes are done.
 [[nodiscard]] bool lowerByAll(PassTable& table, TileUnderWork& work, const std::stop_token& stop);
 
 } // namespace proveout

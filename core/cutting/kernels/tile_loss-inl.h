@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What motions take off a tile. Compiled once an instruction set.
+// What motions remove from a tile. Compiled once per instruction set.
 #if defined(PROVEOUT_CUTTING_TILE_LOSS) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROVEOUT_CUTTING_TILE_LOSS
 #undef PROVEOUT_CUTTING_TILE_LOSS
@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 #if HWY_TARGET == HWY_SCALAR
-using Doubles = hn::Rebind<double, Floats>; // of one lane there are no halves
+using Doubles = hn::Rebind<double, Floats>; // a single lane cannot be halved
 #else
 using Doubles = hn::Rebind<double, hn::Half<Floats>>;
 #endif
@@ -60,10 +60,10 @@ private:
     hn::Vec<Doubles> m_sums[kCount];
 };
 
-/// What is taken off a tile.
+/// The losses of a tile.
 class Losses {
 public:
-    /// Of the tile's points; none: all weigh 1.
+    /// `weights` of the tile's points; null: all weigh 1.
     explicit Losses(const PointWeights* weights)
         : m_weights(weights), m_depth(hn::Zero(kFloats)), m_from(all(kInfinity)), m_to(all(-kInfinity)) {}
 
@@ -80,7 +80,7 @@ public:
         m_from = hn::Min(m_from, from);
         m_to = hn::Max(m_to, to);
     }
-    /// The columns of a block, a bit each, that became lower in a row.
+    /// Records the columns of a block, one bit each, that were lowered in a row.
     HWY_INLINE void note(std::size_t column, std::size_t row, std::uint64_t bits) {
         m_loss.points += std::popcount(bits);
         m_loss.columns |= bits << column;
@@ -99,13 +99,13 @@ private:
     const PointWeights* m_weights;
     ColumnSums m_sums;
     V m_depth;
-    V m_from; ///< beside the path
+    V m_from; ///< range of distances from the path
     V m_to;
     TileLoss m_loss;
 };
 
-/// For lowerGroup(): what a group of a block loses. Nothing is decided on the way: the processor could not
-/// foresee it, and works on several rows at once.
+/// Collector for lowerGroup(): the losses of a group of a block. It has no branches: the processor could not
+/// predict them, and it works on several rows at once.
 class GroupLosses {
 public:
     HWY_INLINE GroupLosses(Losses& losses, const TilePass& pass, const TileUnderWork& work, std::size_t block,
@@ -146,7 +146,7 @@ private:
 
     Losses& m_losses;
     const TilePass& m_pass;
-    std::uint32_t* m_marks; ///< of the tile, or none
+    std::uint32_t* m_marks; ///< of the tile, or null
     std::uint32_t m_mark;
     std::size_t m_column;
     std::size_t m_row;

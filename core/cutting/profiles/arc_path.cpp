@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Radii that differ by less are those of a circle: a hundred thousandth of the promised accuracy.
+/// Radii that differ by less count as those of a circle: a hundred-thousandth of the promised accuracy.
 constexpr double kSameRadius = 1e-8;
 
-/// Keeps the turn that decides where a circle is gone round more than once.
+/// Keeps only the turn that determines the result if a circle is traversed more than once.
 void keepLowestTurn(ArcPath& path) {
     const double turn = kTurn / std::abs(path.sweep);
     if (turn >= 1 || path.widening != 0)

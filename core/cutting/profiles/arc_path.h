@@ -7,14 +7,14 @@
 
 namespace proveout {
 
-/// p(t) for t in [begin, end], a part of [0, 1]: round `centre` in the plane of the axes `first` and `second`
-/// with a radius that goes linearly from `radius` by `widening`, and linearly along `normal`. Local
-/// coordinates.
+/// p(t) for t in [begin, end], a part of [0, 1]: around `centre` in the plane of the axes `first` and
+/// `second`, with a radius that changes linearly from `radius` by `widening`, and moving linearly along
+/// `normal`. Local coordinates.
 struct ArcPath {
     int first = 0;
     int second = 1;
     int normal = 2;
-    Vec3 centre{0}; ///< its normal component is the path's at t = 0
+    Vec3 centre{0}; ///< its normal component is that of the path at t = 0
     double radius = 0;
     double widening = 0;
     double angle = 0; ///< at t = 0
@@ -31,17 +31,17 @@ struct ArcPath {
     [[nodiscard]] Tangent tangentAt(double t) const;
     /// A bound of |p''| over the path.
     [[nodiscard]] double bend() const;
-    /// How far beside the path a point lies over ground, left of it positive; of a spiral, beside that turn
-    /// which is nearest; where the plane of the arc is upright, beside its chord.
+    /// The distance of a point from the path over ground, positive to the left of it; for a spiral, from the
+    /// nearest turn; if the plane of the arc is vertical, from its chord.
     [[nodiscard]] double beside(const Vec2& point) const;
-    /// Over ground, of a point from the path, which is a levelCircle().
+    /// The distance over ground of a point from the path, which must be a levelCircle().
     [[nodiscard]] double distanceToCircle(const Vec2& point) const;
-    /// Whether the tip goes round one circle at one height.
+    /// Whether the tip moves on one circle at one height.
     [[nodiscard]] bool levelCircle() const;
 };
 
-/// The path of an arc with `origin` as the origin of its coordinates. Where turns of one circle repeat
-/// over the same ground, only the lowest one is kept: it reaches below all others.
+/// The path of an arc with `origin` as the origin of its coordinates. If several turns pass over the same
+/// circle, only the lowest one is kept: it reaches below all others.
 [[nodiscard]] ArcPath arcPath(const Motion& motion, const Vec3& origin);
 
 } // namespace proveout

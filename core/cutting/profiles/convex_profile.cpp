@@ -21,7 +21,7 @@ ConvexProfile ConvexProfile::dilated(double margin) const {
     ConvexProfile wider = *this;
     wider.rim += margin;
     if (side == Side::arc && flatTo == 0 && centreR == 0) {
-        // A ball that grows all round stays a ball, and keeps its closed solution.
+        // A ball that grows on all sides stays a ball, and keeps its closed solution.
         wider.radius += margin;
         wider.z0 -= margin;
         return wider;
@@ -52,8 +52,8 @@ ConvexProfile filledInside(const ProfilePiece& piece, double rimSlack) {
     return profile;
 }
 
-/// Whether the filled inside of `next` is all that `piece` is. A hollow leaves the edge of its own to the
-/// piece before.
+/// Whether `next` with its filled inside covers all of `piece`. A hollow leaves the edge of its flat to the
+/// piece before it.
 bool coveredBy(const ProfilePiece& piece, const ProfilePiece& next) {
     return piece.kind == PieceKind::line && next.kind != PieceKind::upperArc && piece.z0 == piece.z1 &&
            piece.z1 == next.z0;

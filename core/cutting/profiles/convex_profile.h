@@ -9,8 +9,8 @@
 namespace proveout {
 
 /// Flat at `z0` out to the radius `flatTo`, from there a line or a quarter circle that rises to `rim`; mm
-/// above the tip. Convex and nowhere falling, which is all that the solvers rely on. A profile piece over
-/// [r0, r1] becomes one of these with its inside filled at its own first height: the true profile lies
+/// above the tip. Convex and never falling outwards, which is all that the solvers rely on. A profile piece
+/// over [r0, r1] becomes one of these with its inside filled at its own first height: the true profile is
 /// nowhere above, so the minimum over all pieces is the profile itself. Flat, ball, bull-nose and cone are
 /// one each.
 struct ConvexProfile {
@@ -25,11 +25,11 @@ struct ConvexProfile {
     double centreZ = 0;
     double radius = 0;
 
-    /// Height at radius `r`, 0 <= r <= rim; what lies past the end of the arc by rounding has its end's
+    /// Height at radius `r`, 0 <= r <= rim; a radius past the end of the arc through rounding has the end's
     /// height.
     [[nodiscard]] double height(double r) const;
 
-    /// The height that kernels count from: of the arc's centre, else the lowest.
+    /// The height that kernels use as reference: that of the arc's centre, else the lowest.
     [[nodiscard]] double reference() const { return side == Side::arc ? centreZ : z0; }
 
     /// The same profile with every radius larger by `margin`: nowhere above this one over any point that is

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eight points side by side, for the solvers that iterate: plain arithmetic on them becomes vector code of
-// whatever width the processor has, and an iteration ends when no lane moves any more.
+// Eight points processed together, for the solvers that iterate: plain arithmetic on them becomes vector code
+// of the width that the processor has, and an iteration ends once no lane moves.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ inline constexpr int kLanes = 8;
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 using LaneMask = decltype(Lanes{} < Lanes{});
 
-// A call would pass 64 bytes by registers that only some processors have: everything is inlined.
+// A call would pass 64 bytes in registers that only some processors have, so everything is inlined.
 #define PROVEOUT_LANES [[gnu::always_inline]] inline
 
 PROVEOUT_LANES Lanes allLanes(double value) {
@@ -37,7 +37,7 @@ PROVEOUT_LANES Lanes sqrtOf(const Lanes& a) {
         roots[k] = std::sqrt(a[k]);
     return roots;
 }
-/// Square roots of what may be below zero by rounding.
+/// Square roots of values that may be below zero through rounding.
 PROVEOUT_LANES Lanes rootOf(const Lanes& a) {
     return sqrtOf(greater(a, Lanes{}));
 }
@@ -65,16 +65,16 @@ PROVEOUT_LANES void storeLower(const Lanes& z, int count, float* out) {
 
 /// For a corner arc: the radii where its surface touches lowest, per lane; see lead() in straight_sweep.h.
 ///
-/// With r = ring + corner·σ the stationary place fulfils σ²(r² - across²) = fall² r² (1 - σ²). As a
-/// polynomial in σ its signs are + + ? - -, so it has one positive root, and to the right of it it is convex:
-/// Newton from any place to the right falls onto the root without ever passing it.
+/// With r = ring + corner·σ the stationary place satisfies σ²(r² - across²) = fall² r² (1 - σ²). As a
+/// polynomial in σ its signs are + + ? - -, so it has one positive root, and it is convex to the right of
+/// that root: Newton from any place to the right converges to the root without ever passing it.
 PROVEOUT_LANES Lanes touchingRadii(double ring, double corner, const Lanes& fall, const Lanes& across2) {
     constexpr int kMostSteps = 60;
     constexpr double kStill = 1e-13;
     constexpr double kTiny = 1e-300;
     const Lanes fall2 = fall * fall;
-    // The fixed-point form σ = sine(ring + corner·σ) falls with σ: what it makes of the largest σ bounds the
-    // root from below, and what it makes of that from above.
+    // The fixed-point form σ = sine(ring + corner·σ) falls with σ: its value for the largest σ bounds the
+    // root from below, and its value for that bound bounds the root from above.
     const auto sine = [&](const Lanes& r) __attribute__((always_inline)) {
         return fall * r / sqrtOf(greater((r * r - across2) + fall2 * r * r, allLanes(kTiny)));
     };

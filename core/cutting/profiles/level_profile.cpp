@@ -9,7 +9,7 @@ namespace proveout {
 
 namespace {
 
-/// Distances come from numbers as large as the cutter and a tile; see StraightPass.
+/// Distances are computed from numbers as large as the cutter and a tile; see StraightPass.
 constexpr double kRimSlack = 1e-6;
 
 float toFloat(double value) {
@@ -32,7 +32,8 @@ LevelProfile::Piece pieceOf(const ProfilePiece& piece, double bottom, double rim
     return made;
 }
 
-/// Heights of the profile at so many radii, each the lowest up to the next: heights never fall outwards.
+/// Heights of the profile at this many radii, each the lowest up to the next one: heights never fall
+/// outwards.
 struct Steps {
     static constexpr std::size_t kCount = 24;
     std::array<double, kCount + 1> radii{};
@@ -50,7 +51,7 @@ struct Steps {
         }
     }
 
-    /// The steepest line from (radii[from], 0) that lies nowhere above.
+    /// The steepest line from (radii[from], 0) that is nowhere above the heights.
     [[nodiscard]] double riseFrom(std::size_t from) const {
         double rise = heights[from] / (radii[from + 1] - radii[from]);
         for (std::size_t k = from + 1; k < kCount; ++k)
@@ -59,7 +60,7 @@ struct Steps {
     }
 };
 
-/// Flat, and from some radius on a line, such that it is high at the rim.
+/// Flat, followed by a line that begins at the radius for which the line is high at the rim.
 ConvexProfile convexBelow(std::span<const ProfilePiece> pieces, double rim) {
     const Steps steps(pieces);
     ConvexProfile below;

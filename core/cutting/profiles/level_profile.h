@@ -11,12 +11,12 @@
 namespace proveout {
 
 /// A whole profile, in single precision, for motions at one height: there the cutter is lowest where it is
-/// nearest whatever its shape, so that no piece need be convex, nor be cut on its own.
+/// nearest, for any shape, so that pieces need not be convex or cut one by one.
 struct LevelProfile {
-    /// Over the radii from the end of the one before: `z0` and a line of `rise` from `r0`, or `centreZ` and
+    /// Over the radii from the end of the piece before: `z0` and a line of `rise` from `r0`, or `centreZ` and
     /// `side` times the root of radius2 - (r - centreR)².
     struct Piece {
-        float rim2; ///< of its end, squared; what rounds beyond it still counts
+        float rim2; ///< of its end, squared; radii that rounding moves beyond it still count
         bool arc;
         float r0;
         float z0;
@@ -27,15 +27,15 @@ struct LevelProfile {
         float side;
     };
 
-    std::vector<Piece> pieces; ///< from the axis outwards; heights above the first
+    std::vector<Piece> pieces; ///< from the axis outwards; heights relative to the first
     std::vector<ProfilePiece> exact;
     double rim;
-    ConvexProfile below; ///< nowhere above the profile: what bounds are made of
+    ConvexProfile below; ///< nowhere above the profile; bounds are made from it
 
     /// `pieces`: at least one. `rimSlack` is added to the last rim.
     LevelProfile(std::span<const ProfilePiece> pieces, double rimSlack);
 
-    /// Above the tip; +infinity beyond the rim.
+    /// Height above the tip; +infinity beyond the rim.
     [[nodiscard]] double height(double radius) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forms of a convex profile as the inner loops want them: a height from the squared distance and nothing
-// to decide. Each form is a type, so that a loop is compiled for it.
+// The forms of a convex profile as the inner loops need them: a height from the squared distance, without
+// branches. Each form is a type, so that a loop is compiled for it.
 #pragma once
 
 #include <cmath>
@@ -10,14 +10,14 @@
 
 namespace proveout {
 
-/// Minimum and maximum by value: std::min hands out references, which keep loops from becoming vector code.
+/// Minimum and maximum by value: std::min returns references, which keep loops from becoming vector code.
 [[nodiscard]] inline double lesser(double a, double b) {
     return a < b ? a : b;
 }
 [[nodiscard]] inline double greater(double a, double b) {
     return a > b ? a : b;
 }
-/// Square root of what may be below zero by rounding.
+/// Square root of a value that may be below zero through rounding.
 [[nodiscard]] inline double rootOf(double value) {
     return std::sqrt(greater(0.0, value));
 }

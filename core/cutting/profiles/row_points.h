@@ -30,7 +30,7 @@ struct Columns {
 
 /// The points that a span covers; computed in double first, as a span may reach farther than any index.
 [[nodiscard]] inline Columns columnsUnder(const Span& span, const RowPoints& row) {
-    // Rounding must not lose a point on the rim; one too many costs nothing but its test.
+    // Rounding must not lose a point on the rim; an extra point costs only its test.
     constexpr double kSlack = 1e-6;
     const double begin = std::ceil((span.lo - row.x) / row.step - kSlack);
     const double end = std::floor((span.hi - row.x) / row.step + kSlack) + 1;

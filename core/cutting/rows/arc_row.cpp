@@ -60,9 +60,9 @@ std::vector<Touch> touchesOf(const std::vector<ArcPart>& parts, double reach, co
     return touches;
 }
 
-/// The points that may become lower. A part leaves its chord by no more than its bulge, so the chord's own
-/// envelope, with the profile wider and the path lower by that, lies nowhere above. Points are left out for
-/// all parts or for none: what a search returns may depend, within its accuracy, on what was found before.
+/// The points that may be lowered. A part deviates from its chord by no more than its bulge, so the chord's
+/// own envelope, with the profile wider and the path lower by that, is nowhere above. A point is skipped for
+/// all parts or for none: the result of a search may depend, within its accuracy, on earlier results.
 std::uint64_t worthwhile(const ConvexProfile& profile, const std::vector<Touch>& touches,
                          const RowPoints& row, const float* heights) {
     std::array<float, 64> below;
@@ -75,7 +75,7 @@ std::uint64_t worthwhile(const ConvexProfile& profile, const std::vector<Touch>&
                    [&](const Columns& run) { straightRow(wider, lower, row, run, below.data()); });
     }
     std::uint64_t points = 0;
-    // The bound and the heights are rounded to float: nearly equal is not surely above.
+    // The bound and the heights are rounded to float, so nearly equal values are not surely above.
     constexpr float kRounding = 1e-4F;
     for (int k = 0; k < row.count; ++k)
         points |= std::uint64_t{below[static_cast<std::size_t>(k)] < heights[k] + kRounding} << k;

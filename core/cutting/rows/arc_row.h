@@ -9,9 +9,9 @@
 
 namespace proveout {
 
-/// Lowers `out` to the envelope over a row of at most 64 points and returns the points that were asked.
+/// Lowers `out` to the envelope over a row of at most 64 points and returns the points that were evaluated.
 /// `reach` is at least the profile's rim. Points that the envelope surely leaves at their `heights` may be
-/// left out.
+/// skipped.
 [[nodiscard]] Columns arcRow(const ConvexProfile& profile, const ArcPath& path,
                              const std::vector<ArcPart>& parts, double reach, const RowPoints& row,
                              const float* heights, float* out);

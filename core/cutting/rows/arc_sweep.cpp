@@ -12,11 +12,11 @@ namespace proveout {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Bounds that are nearer than this, mm, have met.
+/// Bounds that are nearer than this, mm, count as equal.
 constexpr double kMet = 3e-5;
-/// A part that bends less than this from its tangent, mm, is its tangent.
+/// A part that deviates from its tangent by less than this, mm, is treated as its tangent.
 constexpr double kStraight = 1e-10;
-/// Also what the series of helix_row.cpp are good for.
+/// Also the largest angle for which the series of helix_row.cpp are accurate.
 constexpr double kPartAngle = 0.2;
 constexpr double kMostParts = 1e6;
 
@@ -24,13 +24,13 @@ double squared(double value) {
     return value * value;
 }
 
-/// Search over one path for one point. `best` is the height of a real position of the cutter.
+/// Search over one path for one point. `best` is the height at a position that the cutter really reaches.
 struct Search {
     const ConvexProfile& profile;
     const ArcPath& path;
     Vec2 point;
     double bend;
-    double zBend; ///< of the height alone
+    double zBend; ///< bend of the height alone
     double best;
 
     struct Bounds {
@@ -61,8 +61,8 @@ struct Search {
         };
         double found = heightAt(placeOf(contact));
         if (found == kInfinity && profile.rim > away) {
-            // The lowest place is where the point leaves the wider rim. One that stays as far inside the rim
-            // as the arc may bend is surely real.
+            // The lowest place is where the point leaves the wider rim. A place as far inside the rim as the
+            // arc may bend is surely on the path.
             ConvexProfile inner = profile;
             inner.rim -= away;
             const Contact safe = lowestContact(inner, tangent, point);
@@ -72,8 +72,8 @@ struct Search {
         return {contact.z - 0.5 * zBend * half * half, found};
     }
 
-    /// Looks at both halves of a part before going into the more promising one: what is found there often
-    /// spares the other.
+    /// Evaluates both halves of a part before descending into the more promising one: the result often makes
+    /// the other unnecessary.
     void refine(double middle, double half) {
         if (0.5 * bend * half * half < kStraight)
             return;
@@ -103,7 +103,7 @@ std::vector<ArcPart> splitArc(const ArcPath& path) {
     const auto count = static_cast<std::size_t>(
         std::clamp(std::ceil(std::abs(path.sweep) * whole / kPartAngle), 1.0, kMostParts));
     const double half = whole / (2 * static_cast<double>(count));
-    // Between two ends a curve leaves its chord by at most bend · (2 half)² / 8.
+    // Between its two ends a curve deviates from its chord by at most bend · (2 half)² / 8.
     const double bulge = 0.5 * path.bend() * half * half;
     std::vector<ArcPart> parts(count);
     for (std::size_t k = 0; k < count; ++k) {

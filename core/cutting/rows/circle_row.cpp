@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// One row about the centre of the circle. The path goes counter-clockwise from `begin` to `end`, as seen
-/// from `begin`: a path in the other sense covers the same from its end.
+/// One row relative to the centre of the circle. The path runs counter-clockwise from `begin` to `end`, as
+/// seen from `begin`: a path in the other direction covers the same from its end.
 struct Circle {
     double x;
     double step;
@@ -25,7 +25,7 @@ struct Circle {
     double rim2;
     Vec2 begin;
     Vec2 end;
-    double wide; ///< 1 where the path is longer than half a turn, else 0
+    double wide; ///< 1 if the path is longer than half a turn, else 0
     double closed;
 
     Circle(const ConvexProfile& profile, const ArcPath& path, const RowPoints& row)
@@ -52,8 +52,9 @@ template<class Form>
         const double toCircle = std::sqrt(x * x + y * y) - circle.radius;
         const double toBegin2 = square(x - circle.begin.x) + square(y - circle.begin.y);
         const double toEnd2 = square(x - circle.end.x) + square(y - circle.end.y);
-        // Left of the spoke to the begin and right of the one to the end; of the larger part of a circle,
-        // one of both is enough. On the spokes all three distances agree, so rounding decides nothing there.
+        // To the left of the spoke to the beginning and to the right of the one to the end; for more than
+        // half a circle, one of both is enough. On the spokes all three distances agree, so rounding decides
+        // nothing there.
         const double afterBegin = circle.begin.x * y - circle.begin.y * x >= 0 ? 1.0 : 0.0;
         const double beforeEnd = x * circle.end.y - y * circle.end.x >= 0 ? 1.0 : 0.0;
         const bool beside = afterBegin + beforeEnd + circle.wide + 2 * circle.closed >= 2;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over a part of a helix the squared distance D of a point is a smooth function of the angle φ, and
-// f(φ) = z(φ) + h(√D) is convex wherever D'' >= 0, if h is flat or a corner arc: then
-// (h∘d)'' >= d'²·(h'' - h'/d), which for an arc is e²d'²/(…) >= 0, e being the distance from its centre's
-// ring. So the one stationary place is the lowest, and it is found by replacing D with its own second-order
-// Taylor polynomial: that is the straight motion of straight_sweep.h, whose solution is known. As value,
-// slope and curvature of D agree, the error is squared in each step, the rim's infinite slope included.
+// Over a part of a helix the squared distance D of a point is a smooth function of the angle φ, and f(φ) =
+// z(φ) + h(√D) is convex wherever D'' >= 0, if h is flat or a corner arc: then (h∘d)'' >= d'²·(h'' - h'/d),
+// which for an arc is e²d'²/(…) >= 0, where e is the distance from the ring of its centres. So the one
+// stationary place is the lowest, and it is found by replacing D with its own second-order Taylor polynomial:
+// that is the straight motion of straight_sweep.h, whose solution is known. As value, slope and curvature of
+// D agree, the error is squared in each step, even for the infinite slope at the rim.
 #include "core/cutting/rows/helix_row.h"
 
 #include <limits>
@@ -18,10 +18,11 @@ namespace proveout {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Steps in mm along the path below which a lane stands still; what is left is the square of it.
+/// Steps in mm along the path below which a lane has converged; the remaining error is the square of it.
 constexpr double kStill = 1e-6;
 
-/// One part and one row in the part's own frame: first axis from the centre to the middle of the part.
+/// One part and one row in the part's own frame: the first axis points from the centre to the middle of the
+/// part.
 struct Helix {
     double x;
     double y;
@@ -61,7 +62,7 @@ struct Distance {
 
     PROVEOUT_LANES Distance(const Helix& helix, const Lanes& x, const Lanes& y, const Lanes& phi) {
         const Lanes p = phi * phi;
-        // Taylor by products: a quotient would cost more than all the rest.
+        // Taylor series by products: a quotient would cost more than all the rest.
         const Lanes sine =
             phi * (1 + p * (-1.0 / 6 + p * (1.0 / 120 + p * (-1.0 / 5040 + p * (1.0 / 362880)))));
         const Lanes cosine =
@@ -75,7 +76,7 @@ struct Distance {
     }
 };
 
-// How far ahead the cutter stands, as lead() of straight_sweep.h.
+// How far ahead the cutter is, as lead() of straight_sweep.h.
 
 struct FlatAhead {
     double rim2;
@@ -104,9 +105,9 @@ struct CornerAhead {
     }
 };
 
-/// What is known of the points and one part, as masks.
+/// Known properties of the points and one part, as masks.
 struct Facts {
-    LaneMask convex;   ///< D'' >= 0 all over the part
+    LaneMask convex;   ///< D'' >= 0 over the whole part
     LaneMask oneFall;  ///< on a circle, and its farthest place is not in the part: D has one minimum there
     LaneMask reachOut; ///< the cutter does not cover the whole circle
 };
@@ -114,7 +115,7 @@ struct Facts {
 PROVEOUT_LANES Facts factsOf(const Helix& helix, const Lanes& x, const Lanes& y) {
     const Lanes from = sqrtOf(x * x + y * y);
     const double wide = std::fabs(helix.widening);
-    // D''/2 at the middle against the most that it can lose on the way to the ends.
+    // D''/2 at the middle against the most that it can lose towards the ends.
     const Lanes middle = helix.widening * helix.widening - 2 * helix.widening * y + helix.radius * x;
     const double loss = 3 * wide + helix.radius + wide * helix.half;
     const LaneMask farthest = (x <= 0) & (magnitude(y) <= -1.1 * helix.half * x);
@@ -123,14 +124,14 @@ PROVEOUT_LANES Facts factsOf(const Helix& helix, const Lanes& x, const Lanes& y)
             from + helix.radius >= helix.rim};
 }
 
-// What must hold for the solution to be the lowest place.
+// Conditions under which the solution is the lowest place.
 
 /// A flat needs only the place where the falling path leaves the rim.
 struct FlatProof {
     PROVEOUT_LANES static LaneMask holds(const Facts& facts) { return facts.convex | facts.oneFall; }
 };
-/// For a ball, f is convex on a circle unless all of it is under the cutter: the numerator of f'' is
-/// B cos²φ + 2 C cosφ + B with |C| <= B.
+/// For a ball, f is convex on a circle unless the whole circle is under the cutter: the numerator of f'' is B
+/// cos²φ + 2 C cosφ + B with |C| <= B.
 struct BallProof {
     PROVEOUT_LANES static LaneMask holds(const Facts& facts) {
         return facts.convex | (facts.oneFall & facts.reachOut);
@@ -140,7 +141,7 @@ struct CornerProof {
     PROVEOUT_LANES static LaneMask holds(const Facts& facts) { return facts.convex; }
 };
 
-/// Angles on their way to a solution, and which of them have arrived.
+/// Angles during the iteration, and which of them have converged.
 struct Approach {
     Lanes phi;
     LaneMask still;
@@ -175,7 +176,8 @@ PROVEOUT_LANES Approach lowestPlace(const Helix& helix, const Ahead& ahead, cons
         const Lanes curve = bent ? d.halfCurve : allLanes(1);
         const Lanes speed = sqrtOf(curve);
         const Lanes offset = d.halfSlope / curve;
-        // Below zero it stands for no straight motion, but the solution goes through it unharmed.
+        // A value below zero does not correspond to a straight motion, but the iteration passes through it
+        // without harm.
         const Lanes across2 = lesser(d.value - d.halfSlope * offset, allLanes(helix.rim2));
         const Lanes lead = ahead(std::fabs(helix.climb) / speed, across2);
         const Lanes next = lesser(greater(at.phi + sign * lead / speed - offset, allLanes(-helix.half)),
@@ -196,13 +198,13 @@ PROVEOUT_LANES std::uint64_t lowerPoints(const Form& form, const Ahead& ahead, c
         const Lanes x = ramp(helix.x + helix.xStep * k0, helix.xStep);
         const Lanes y = ramp(helix.y + helix.yStep * k0, helix.yStep);
         LaneMask sure = Proof::holds(factsOf(helix, x, y));
-        // The nearest place tells whether the cutter comes over the point at all.
+        // The nearest place shows whether the cutter comes over the point.
         Approach at = nearestPlace(helix, x, y);
         const Lanes nearest2 = Distance(helix, x, y, at.phi).value;
         const LaneMask under = nearest2 <= helix.rim2;
         sure &= at.still;
-        // Where even the part's lowest end at that distance stays above what other parts have reached, there
-        // is nothing to find.
+        // If even the part's lowest end at that distance is above what other parts have reached, no search is
+        // needed.
         const Lanes least = helix.z - std::fabs(helix.climb) * helix.half +
                             form.height(lesser(nearest2, allLanes(helix.rim2)));
         const LaneMask open = under & (least < load(out + k0, columns.end - k0));

@@ -9,8 +9,8 @@
 
 namespace proveout {
 
-/// Lowers `out` to the envelope of one part of a path about Z over the points `columns` of a row of at
-/// most 64. Returns a bit for each point that it cannot vouch for and has left alone.
+/// Lowers `out` to the envelope of one part of a path about Z over the points `columns` of a row of at most
+/// 64. Returns a bit for each point whose result is not proved; those points are unchanged.
 [[nodiscard]] std::uint64_t helixRow(const ConvexProfile& profile, const ArcPath& path, const ArcPart& part,
                                      const RowPoints& row, Columns columns, float* out);
 

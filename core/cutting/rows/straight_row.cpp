@@ -37,12 +37,12 @@ struct Line {
     }
 };
 
-/// How far the cutter stands ahead where it is lowest, from the squared distance across; by form.
+/// How far ahead the cutter is where it is lowest, from the squared distance across; one type per form.
 struct NoLead {
     [[nodiscard]] double operator()(double) const { return 0; }
 };
 
-/// At the rim: flat, or a cone no steeper than the path.
+/// At the rim: for a flat, or a cone no steeper than the path.
 struct RimLead {
     double rim2;
     [[nodiscard]] double operator()(double across2) const { return rootOf(rim2 - across2); }

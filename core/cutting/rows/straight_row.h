@@ -7,7 +7,7 @@
 
 namespace proveout {
 
-/// Lowers `out` to the envelope over the points `columns` of a row; `out` is indexed as the row is.
+/// Lowers `out` to the envelope over the points `columns` of a row; `out` is indexed like the row.
 void straightRow(const ConvexProfile& profile, const StraightPath& path, const RowPoints& row,
                  Columns columns, float* out);
 

@@ -11,23 +11,23 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Paths shorter than this over ground are plunges: their slope would eat the digits of a double, while all
-/// they could change lies within this distance of the rim.
+/// Paths shorter than this over ground are plunges: their slope would use up the digits of a double, while
+/// everything they could change is within this distance of the rim.
 constexpr double kPlungeLength = 1e-10;
 
 double squared(double value) {
     return value * value;
 }
 
-/// Square root of what may be below zero by rounding.
+/// Square root of a value that may be below zero through rounding.
 double rootOf(double value) {
     return std::sqrt(std::max(0.0, value));
 }
 
 /// The radius where the surface of a corner arc, on a path that falls by `fall`, touches lowest at `across`.
-/// With r = centreR + radius·σ the stationary place fulfils σ²(r² - across²) = fall² r² (1 - σ²). As a
-/// polynomial in σ its signs are + + ? - -, so it has one positive root, and to the right of it it is convex:
-/// Newton from any place to the right falls onto the root without ever passing it.
+/// With r = centreR + radius·σ the stationary place satisfies σ²(r² - across²) = fall² r² (1 - σ²). As a
+/// polynomial in σ its signs are + + ? - -, so it has one positive root, and it is convex to the right of
+/// that root: Newton from any place to the right converges to the root without ever passing it.
 double touchingRadius(const ConvexProfile& profile, double fall, double across) {
     const double ring = profile.centreR;
     const double corner = profile.radius;
@@ -36,8 +36,8 @@ double touchingRadius(const ConvexProfile& profile, double fall, double across) 
     const auto sine = [&](double r) {
         return fall * r / std::sqrt(std::max((r * r - across2) + fall2 * r * r, 1e-300));
     };
-    // The fixed-point form σ = sine(ring + corner·σ) falls with σ: what it makes of the largest σ bounds the
-    // root from below, and what it makes of that from above.
+    // The fixed-point form σ = sine(ring + corner·σ) falls with σ: its value for the largest σ bounds the
+    // root from below, and its value for that bound bounds the root from above.
     const double low = std::max(sine(ring + corner), (across - ring) / corner);
     double sigma = std::min(1.0, sine(ring + corner * low));
     for (int step = 0; step < 60; ++step) {
@@ -99,8 +99,8 @@ Contact lowestContact(const ConvexProfile& profile, const StraightPath& path, co
     const Vec2 to = point - path.from;
     const double s = to.x * path.along.x + to.y * path.along.y;
     const double w = std::abs(to.y * path.along.x - to.x * path.along.y);
-    // Whether the cutter comes over the point at all is asked of the nearest place: the lowest one may stand
-    // on the very rim, where rounding would decide.
+    // The nearest place decides whether the cutter comes over the point: the lowest one may be exactly on the
+    // rim, where rounding would decide.
     const double nearest = std::clamp(s, 0.0, path.length);
     if (!(squared(s - nearest) + w * w <= squared(profile.rim)))
         return {kInfinity, 0};
@@ -115,7 +115,7 @@ Contact lowestContact(const ConvexProfile& profile, const StraightPath& path, co
 
 namespace {
 
-/// Where |offset + x·rate| and the like stay in [lo, hi].
+/// The interval of x where |offset + x·rate| and the like stay in [lo, hi].
 Span linearSpan(double offset, double rate, double lo, double hi) {
     constexpr double kParallel = 1e-14;
     if (std::abs(rate) < kParallel)

@@ -9,7 +9,7 @@
 namespace proveout {
 
 /// A straight path of the tip in local coordinates: from `from` over `length` along the unit vector `along`,
-/// rising by `slope` per mm of it. A pure plunge has length 0 and stands at its lower end.
+/// rising by `slope` per mm of it. A pure plunge has length 0 and is represented by its lower end.
 struct StraightPath {
     Vec2 from{0};
     Vec2 along{1, 0};
@@ -28,17 +28,17 @@ struct Contact {
     double along; ///< mm from the path's start
 };
 
-/// The minimum over the path of z + h(distance): that is convex in the place on the path, so its one
-/// stationary place, moved to the nearer end where it lies beyond one, is the answer.
+/// The minimum over the path of z + h(distance): that is convex in the place on the path, so the result is
+/// its one stationary place, moved to the nearer end if it is beyond one.
 [[nodiscard]] Contact lowestContact(const ConvexProfile& profile, const StraightPath& path,
                                     const Vec2& point);
 
 /// For an endless path that falls by `fall` > 0 per mm: how far ahead of a point, `across` mm beside its
-/// line, the cutter stands when its surface over the point is lowest. 0 <= across <= rim.
+/// line, the cutter is when its surface over the point is lowest. 0 <= across <= rim.
 [[nodiscard]] double lead(const ConvexProfile& profile, double fall, double across);
 
-/// Where the line y = const runs under a disc of radius `rim` that is moved along the path: one interval,
-/// as what it sweeps is convex.
+/// The part of the line y = const under a disc of radius `rim` that is moved along the path: one interval, as
+/// the swept area is convex.
 [[nodiscard]] Span rowSpan(const StraightPath& path, double rim, double y);
 
 } // namespace proveout

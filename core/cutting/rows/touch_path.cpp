@@ -8,9 +8,9 @@ namespace proveout {
 
 namespace {
 
-/// A wall that the cutter itself has left is not touched by going along it.
+/// Moving along a wall that the cutter itself has left does not count as touching it.
 constexpr double kWithinRim = 1e-6;
-constexpr double kFine = 1e-9; ///< mm of the way
+constexpr double kFine = 1e-9; ///< mm of the path
 
 } // namespace
 
@@ -35,14 +35,14 @@ double TouchPath::firstTouch(const Vec2& place, double height) const {
 double TouchPath::firstTouchPlunging(const ConvexProfile& profile, double distance, double height) const {
     if (distance > profile.rim)
         return kNever;
-    const double down = m_start.z + profile.height(distance) - height; // to go until it touches
+    const double down = m_start.z + profile.height(distance) - height; // distance to go until it touches
     if (down <= 0)
         return 0;
     const double fall = m_start.z - m_end.z;
     return down <= fall ? down / fall : kNever;
 }
 
-/// The height of the cutter over the place is convex in the time while the place is under it, so that it only
+/// The height of the cutter over the place is convex in time while the place is under it, so that it only
 /// falls before it is lowest.
 double TouchPath::firstTouch(const ConvexProfile& profile, const Vec2& place, double height) const {
     if (m_path.length == 0)

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = std::numbers::pi;
-/// Bounds that are nearer than this, mm, have met.
+/// Bounds that are nearer than this, mm, count as equal.
 constexpr double kMet = 1e-5;
-/// A radius that changes by less than this over a part, mm, does not.
+/// A radius that changes by less than this over a part, mm, counts as constant.
 constexpr double kRound = 1e-10;
 
-/// What a place on the very rim may leave it by through rounding.
+/// How far rounding may move a place on the rim off it.
 constexpr double kOnRim = 1 + 1e-12;
 
 double squared(double value) {
@@ -28,8 +28,8 @@ double rootOf(double value) {
     return std::sqrt(std::max(0.0, value));
 }
 
-/// A path round a centre in the vertical plane, by the angle ψ from its lowest place: over ground it is at
-/// r sin ψ, in height at -r cos ψ. Both are relative to the centre, and so is the point.
+/// A path around a centre in the vertical plane, by the angle ψ from its lowest place: over ground it is at r
+/// sin ψ, in height at -r cos ψ. Both are relative to the centre, and so is the point.
 class VerticalArc {
 public:
     VerticalArc(const ConvexProfile& profile, const ArcPath& path, const Vec2& point, double known)
@@ -49,8 +49,8 @@ public:
     }
 
 private:
-    /// Lowest heights over the point: of the circle, with what the path may differ from it taken off, and of
-    /// real places of the path.
+    /// Lowest heights over the point: of the circle, less the possible deviation of the path from it, and of
+    /// places that are on the path.
     struct Bounds {
         double below = kInfinity;
         double found = kInfinity;
@@ -66,10 +66,9 @@ private:
         visit(middle + half / 2, half / 2);
     }
 
-    /// A minimum lies at an end of the part, where the point crosses the rim, where a flat is lowest, or
-    /// where the surface of a ball has the slope of the path: on the lower half (radius + c) sin ψ = along,
-    /// on the upper one (radius - c) sin ψ = along, with c the radius of the ball's section through the
-    /// point.
+    /// A minimum is at an end of the part, where the point crosses the rim, where a flat is lowest, or where
+    /// the surface of a ball has the slope of the path: on the lower half (radius + c) sin ψ = along, on the
+    /// upper one (radius - c) sin ψ = along, with c the radius of the ball's section through the point.
     Bounds bounds(double middle, double half, double away) const {
         const ConvexProfile wider = away > 0 ? m_profile.dilated(away) : m_profile;
         const double radius = m_path.radius + m_path.widening * middle;
@@ -98,7 +97,8 @@ private:
             lookBySine((m_along + reach) / radius, true, true);
         };
         lookAtRim(wider.rim);
-        // Where the radius changes, a place on the wider rim may be none; one this far inside surely is one.
+        // If the radius changes, a place on the wider rim may not be on the path; one this far inside surely
+        // is.
         if (away > 0 && squared(std::max(0.0, m_profile.rim - away)) >= m_across2)
             lookAtRim(m_profile.rim - away);
         if (wider.side == ConvexProfile::Side::none) {
@@ -111,7 +111,7 @@ private:
         return met;
     }
 
-    /// Looks at an angle, whole turns added, where it falls into the part.
+    /// Evaluates an angle, with whole turns added, where it falls into the part.
     template<class Look>
     static void lookWithin(double angle, double lo, double hi, Look&& look) {
         const double turn = 2 * kPi;

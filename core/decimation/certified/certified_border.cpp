@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// Sums over the samples before one, for the squared distance of any chord at once.
+/// Sums over the samples before one sample, from which the squared distances to any chord follow at once.
 struct Sums {
     double z = 0;
     double kz = 0;
@@ -54,14 +54,15 @@ private:
         double z = 0;
         double inverse = 0; ///< 1 / k
         Sums before;
-        double cost = 0; ///< of the best path to the end
+        double cost = 0; ///< of the best path from here to the end
         std::uint32_t chordsToEnd = 0;
         std::uint32_t chordsFromBegin = std::numeric_limits<std::uint32_t>::max();
-        std::uint32_t firstChord = 0; ///< in m_chords
+        std::uint32_t firstChord = 0; ///< index in m_chords
         std::uint32_t next = 0;
     };
 
-    /// All chords that hold, by their first sample; no chord passes over one of the extras.
+    /// Finds all chords that stay within the limit, by their first sample; no chord passes over one of the
+    /// extras.
     void findChords(std::span<const std::uint32_t> extras) {
         m_samples[0].chordsFromBegin = 0;
         auto extra = extras.begin();
@@ -88,8 +89,8 @@ private:
         m_samples[m_count - 1].firstChord = static_cast<std::uint32_t>(m_chords.size());
     }
 
-    /// From the end: the fewest chords, and of these paths the one nearest to the samples. Costs are asked
-    /// for only where a path with the fewest chords from the beginning may pass.
+    /// Chooses from the end: the fewest chords, and of these paths the one nearest to the samples. Costs are
+    /// computed only where a path with the fewest chords from the beginning may pass.
     void chooseChords() {
         const std::uint32_t fewest = m_samples[m_count - 1].chordsFromBegin;
         for (std::size_t from = m_count - 1; from-- > 0;) {
@@ -110,7 +111,8 @@ private:
         }
     }
 
-    /// Of the samples between two from their chord; it decides between equals only, so rounding is no matter.
+    /// The sum of squared distances of the samples between two samples from their chord; it only decides
+    /// between equal paths, so rounding does not matter.
     [[nodiscard]] double squaredDistances(std::size_t from, std::size_t to) const {
         const Sample& a = m_samples[from];
         const Sample& b = m_samples[to];

@@ -27,7 +27,7 @@ RegionMesh fullMesh(const RegionGrid& grid, const RegionSamples& samples,
     RegionMesh mesh;
     const std::size_t region = grid.regionAt(samples.rect.i0 / grid.cells(), samples.rect.j0 / grid.cells());
     mesh.triangles = fullRegionMesh(grid, region, borders);
-    mesh.largestError = parameters.allowance; // what the polylines of the borders may take
+    mesh.largestError = parameters.allowance; // what the polylines of the borders may deviate by
     if (parameters.level != ErrorLevel::surface)
         return mesh;
     for (const Side side : kSides) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decimation with a bound: every z-map point, or the whole surface, lies within the allowance of the mesh,
-// vertically. From above: insertion until the bound holds, then removal of what is not needed for it.
+// Decimation with a bound: every z-map point, or the whole surface, is within the allowance of the mesh,
+// vertically. It works top-down: insertion until the bound holds, then removal of the vertices that are not
+// needed for it.
 #pragma once
 
 #include <array>
@@ -16,9 +17,9 @@ namespace proveout {
 
 class CertifiedDecimator final : public RegionDecimator {
 public:
-    /// Uses of the parameters the allowance and the level. `largestError` of the mesh is a bound that counts
-    /// all rounding: no z-map point lies farther off. Where floats are too coarse for the heights of a region
-    /// (their rounding may exceed half the allowance), the mesh is the full one.
+    /// Uses only the allowance and the level of the parameters. `largestError` of the mesh is a bound that
+    /// includes all rounding: no z-map point is farther from the mesh. Where floats are too coarse for the
+    /// heights of a region (their rounding may exceed half the allowance), the mesh is the full one.
     [[nodiscard]] RegionMesh decimate(const RegionGrid& grid, const RegionSamples& samples,
                                       const std::array<BorderLinePtr, 4>& borders, std::uint64_t seed,
                                       const DecimationParameters& parameters,

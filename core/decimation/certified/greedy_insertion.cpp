@@ -54,7 +54,7 @@ bool GreedyInsertion::refineSamples(const RegionPatch& patch, float limit, Latti
     return true;
 }
 
-/// Looks at the edges of all triangles touched since the last time; false where none is beyond the limit.
+/// Checks the edges of all triangles touched since the last call; false if none exceeds the limit.
 bool GreedyInsertion::refineEdges(const RegionPatch& patch, float limit, LatticeTriangulation& mesh) {
     bool found = false;
     while (!m_edges.empty() && !found) {
@@ -64,7 +64,7 @@ bool GreedyInsertion::refineEdges(const RegionPatch& patch, float limit, Lattice
         for (std::int32_t k = 0; k < 3 && !found; ++k) {
             const std::int32_t edge = 4 * t + k;
             const std::int32_t other = mesh.twin(edge);
-            // An edge between two triangles that wait is looked at once, from the one that comes last.
+            // An edge between two waiting triangles is checked once, from the triangle that comes last.
             if (other == LatticeTriangulation::kNone ||
                 (mesh.triangle(LatticeTriangulation::triangleOf(other)).state & kOnEdges) != 0)
                 continue;
@@ -74,7 +74,7 @@ bool GreedyInsertion::refineEdges(const RegionPatch& patch, float limit, Lattice
             if (crossing.distance <= limit)
                 continue;
             found = true;
-            // The point may lie elsewhere, and the other edges of this triangle are still to be looked at.
+            // The point may be elsewhere, and the other edges of this triangle still have to be checked.
             mesh.triangle(t).state |= kOnEdges;
             m_edges.push_back(t);
             insertAtCrossing(patch, t, crossing, limit, mesh);
@@ -83,8 +83,8 @@ bool GreedyInsertion::refineEdges(const RegionPatch& patch, float limit, Lattice
     return found;
 }
 
-/// One end of the crossed edge is no vertex yet: were both, a unit edge would be Delaunay, and the diagonal
-/// of a cell is made so.
+/// One end of the crossed edge is not a vertex yet: if both were, a unit edge would be Delaunay, and the
+/// diagonal of a cell is chosen to be canonical.
 void GreedyInsertion::insertAtCrossing(const RegionPatch& patch, std::int32_t t, const EdgeCrossing& crossing,
                                        float limit, LatticeTriangulation& mesh) {
     const auto isInside = [&](std::int32_t i, std::int32_t j) {
@@ -103,7 +103,7 @@ void GreedyInsertion::insertAtCrossing(const RegionPatch& patch, std::int32_t t,
         insertExtra(patch, mesh.locate(t, i, j), i, j, limit, mesh);
 }
 
-/// Inserts a point of a side, and others on both sides of it where the two new chords want them.
+/// Inserts a point of a side, and others on both sides of it where the two new chords need them.
 void GreedyInsertion::insertExtra(const RegionPatch& patch, std::int32_t t, std::int32_t i, std::int32_t j,
                                   float limit, LatticeTriangulation& mesh) {
     const std::int32_t p = insertPoint(patch, t, i, j, mesh);

@@ -11,17 +11,17 @@
 
 namespace proveout {
 
-/// Builds a region's mesh from above: corners and borders first, then the farthest z-map point of each
-/// triangle that is beyond the limit, until none is (M. Garland and P. S. Heckbert, "Fast Polygonal
-/// Approximation of Terrains and Height Fields", with a stack where they have a heap).
+/// Builds a region's mesh top-down: corners and borders first, then the farthest z-map point of each triangle
+/// that exceeds the limit, until none does (M. Garland and P. S. Heckbert, "Fast Polygonal Approximation of
+/// Terrains and Height Fields", with a stack in place of their heap).
 class GreedyInsertion {
 public:
-    /// `borders` are the kept offsets of the four sides in the order of kSides; `limit` is in mm. False where
-    /// it was stopped.
+    /// `borders` are the kept offsets of the four sides in the order of kSides; `limit` is in mm. False if it
+    /// was stopped.
     bool run(const RegionPatch& patch, const std::array<std::span<const std::uint32_t>, 4>& borders,
              float limit, bool surface, LatticeTriangulation& mesh, const std::stop_token& stop);
 
-    /// Vertices on borders that the surface level needed beyond those given.
+    /// Vertices on borders that the surface level needed in addition to those given.
     [[nodiscard]] std::span<const std::int32_t> extras() const { return m_extras; }
 
 private:
@@ -42,9 +42,9 @@ private:
     void pushTouched(LatticeTriangulation& mesh);
 
     std::vector<std::int32_t> m_touched;
-    std::vector<std::int32_t> m_stack; ///< triangles to look at, each once
-    std::vector<std::int32_t> m_edges; ///< triangles whose edges are to be looked at
-    std::vector<std::uint8_t> m_taken; ///< per point: it is a vertex
+    std::vector<std::int32_t> m_stack; ///< triangles to check, each once
+    std::vector<std::int32_t> m_edges; ///< triangles whose edges are to be checked
+    std::vector<std::uint8_t> m_taken; ///< per point: whether it is a vertex
     std::vector<std::int32_t> m_extras;
     std::size_t m_width = 0;
 };

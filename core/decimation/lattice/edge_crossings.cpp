@@ -16,9 +16,9 @@ namespace {
 /// One of the four families of lines. Line c holds the lattice points c·across + s·along of the patch.
 struct Family {
     std::int32_t cFrom, cTo; ///< lines of the edge's ends
-    std::int32_t sFrom, sTo; ///< where along the lines the ends lie
-    std::int32_t step;       ///< lines are that far apart
-    std::int32_t offset;     ///< and start there
+    std::int32_t sFrom, sTo; ///< positions of the ends along the lines
+    std::int32_t step;       ///< distance between lines
+    std::int32_t offset;     ///< the first line
     std::ptrdiff_t across;
     std::ptrdiff_t along;
 };
@@ -37,8 +37,8 @@ bool liesInCanonicalMesh(const RegionPatch& patch, const PatchVertex& a, const P
     return i == 0 || j == 0 || ((i == j || i == -j) && ((a.i + a.j + patch.parity()) & 1) == 0);
 }
 
-/// Calls visit(family, line, s, distance) for every crossing but those at the edge's ends; s is where along
-/// the line it lies. Stops and returns false where visit does.
+/// Calls visit(family, line, s, distance) for every crossing except those at the edge's ends; s is the
+/// position along the line. Stops and returns false if visit returns false.
 template<class Visit>
 [[gnu::always_inline]] inline bool visitCrossings(const RegionPatch& patch, const PatchVertex& from,
                                                   const PatchVertex& to, Visit&& visit) {
@@ -58,7 +58,8 @@ template<class Visit>
         const double perLine = 1.0 / lines;
         const double advance = (family.sTo - family.sFrom) * perLine;
         const std::int32_t first =
-            family.step == 1 ? low : low + ((low ^ family.offset) & 1); // the next of its parity
+            family.step == 1 ? low : low + ((low ^ family.offset) & 1); // the next line with the family's
+                                                                        // parity
         for (std::int32_t c = first; c < high; c += family.step) {
             const double gone = c - family.cFrom;
             const double s = family.sFrom + gone * advance;

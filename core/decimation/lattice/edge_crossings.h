@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far an edge of a region's mesh lies from the canonical mesh where it crosses it. The canonical mesh is
-// made of whole lines, x = n, y = n, x - y = 2n and x + y = 2n, each a polyline over lattice points.
+// How far an edge of a region's mesh is from the canonical mesh where it crosses that mesh. The canonical
+// mesh consists of whole lines, x = n, y = n, x - y = 2n and x + y = 2n, each a polyline over lattice points.
 #pragma once
 
 #include "core/decimation/lattice/lattice_kernels.h"
@@ -17,16 +17,16 @@ struct EdgeCrossing {
     std::int32_t farJ = 0;
 };
 
-/// The crossing with the largest distance; distance 0 where there is none. Which end of the edge is `a`
-/// makes no difference.
+/// The crossing with the largest distance; distance 0 if there is none. Swapping the ends of the edge does
+/// not change the result.
 [[nodiscard]] EdgeCrossing farthestCrossing(const RegionPatch& patch, const PatchVertex& a,
                                             const PatchVertex& b);
 
-/// Whether all crossings lie within `limit`.
+/// Whether all crossings are within `limit`.
 [[nodiscard]] bool crossingsWithin(const RegionPatch& patch, const PatchVertex& a, const PatchVertex& b,
                                    float limit);
 
-/// The point of a side of the patch that lies farthest from the chord between two others of that side.
+/// The point of a side of the patch that is farthest from the chord between two others of that side.
 [[nodiscard]] PatchDistance farthestBorderPoint(const RegionPatch& patch, const PatchVertex& a,
                                                 const PatchVertex& b);
 

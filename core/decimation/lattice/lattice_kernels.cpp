@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/decimation/lattice/lattice_kernels.cpp"
 #include <hwy/foreach_target.h>
-// Highway compiles this file once a target.
+// Highway compiles this file once per target.
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -20,12 +20,12 @@ using Vector = hn::Vec<Floats>;
 
 constexpr float kUnit = std::numeric_limits<float>::epsilon() / 2;
 
-/// A triangle as the row scan wants it: rectangle, plane and edge functions, all about corner a.
+/// A triangle prepared for the row scan: rectangle, plane and edge functions, all relative to corner a.
 struct Scan {
     PatchVertex corner[3];
-    int i0, i1, j0, j1; ///< the points to look at, inclusive
+    int i0, i1, j0, j1; ///< the points to check, inclusive
     float slopeI, slopeJ;
-    float guard; ///< what rounding may add to a distance
+    float guard; ///< the error that rounding may add to a distance
 
     Scan(const RegionPatch& patch, const PatchVertex& a, const PatchVertex& b, const PatchVertex& c)
         : corner{a, b, c} {
@@ -77,9 +77,9 @@ struct Scan {
     }
 };
 
-/// The lanes of one column block in the row at work.
+/// The lanes of one column block in the current row.
 struct Block {
-    Vector inside[3]; ///< edge functions: all at least 0 within the triangle; whole numbers, exact
+    Vector inside[3]; ///< edge functions: all at least 0 inside the triangle; whole numbers, exact
     Vector step[3];
     Vector along; ///< height of the plane without its rise by rows
 
@@ -95,7 +95,7 @@ struct Block {
             inside[k] = hn::Sub(hn::Set(d, di * static_cast<float>(row - p.j)),
                                 hn::Mul(hn::Set(d, dj), hn::Sub(i, hn::Set(d, static_cast<float>(p.i)))));
         }
-        // Points beyond the last column are none of ours: they may lie on the side of the patch.
+        // Points beyond the last column do not belong to the triangle: they may be on the side of the patch.
         inside[0] = hn::IfThenElse(hn::Le(i, hn::Set(d, static_cast<float>(scan.i1))), inside[0],
                                    hn::Set(d, -std::numeric_limits<float>::infinity()));
         const PatchVertex& a = scan.corner[0];
@@ -103,7 +103,7 @@ struct Block {
                         hn::Mul(hn::Set(d, scan.slopeI), hn::Sub(i, hn::Set(d, static_cast<float>(a.i)))));
     }
 
-    /// Distances of a row's points, zero outside the triangle; goes on to the next row.
+    /// Distances of a row's points, zero outside the triangle; advances to the next row.
     HWY_INLINE Vector distances(const float* heights, float rise) {
         const Floats d;
         const auto covered = hn::Ge(hn::Min(inside[0], hn::Min(inside[1], inside[2])), hn::Zero(d));
@@ -121,7 +121,7 @@ PatchDistance farthestPointOf(const RegionPatch& patch, const PatchVertex& a, co
     const Scan scan(patch, a, b, c);
     PatchDistance worst;
     if (scan.guard > limit / 8) {
-        worst.distance = -1; // a needle: the caller takes doubles
+        worst.distance = -1; // a needle: the caller uses doubles instead
         return worst;
     }
     for (int column = scan.i0; column <= scan.i1; column += lanes) {
@@ -141,7 +141,8 @@ PatchDistance farthestPointOf(const RegionPatch& patch, const PatchVertex& a, co
         const float top = hn::GetLane(hn::MaxOfLanes(d, largest));
         if (top == 0 || top < worst.distance)
             continue;
-        // Ties go to the smallest row, then column, so that the width of a vector decides nothing.
+        // Of equal distances the smallest row, then the smallest column wins, so that the width of a vector
+        // does not affect the result.
         const auto isTop = hn::Eq(largest, hn::Set(d, top));
         const Vector rows = hn::IfThenElse(isTop, where, hn::Set(d, 1e9F));
         const float row = hn::GetLane(hn::MinOfLanes(d, rows));
@@ -187,7 +188,7 @@ namespace proveout {
 
 namespace {
 
-/// Once, so that calls go straight to the version of this processor.
+/// Call it once, so that later calls go straight to the version for this processor.
 void chooseTarget() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
@@ -230,7 +231,7 @@ HWY_EXPORT(distanceOf);
 
 PatchDistance farthestPoint(const RegionPatch& patch, const PatchVertex& a, const PatchVertex& b,
                             const PatchVertex& c, float limit) {
-    if (twiceArea(a, b, c) == 1) // by Pick's theorem it holds its corners only
+    if (twiceArea(a, b, c) == 1) // by Pick's theorem it holds only its corners
         return {};
     static auto* const kernel = (chooseTarget(), HWY_DYNAMIC_DISPATCH(farthestPointOf));
     const PatchDistance found = kernel(patch, a, b, c, limit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inner loops of the certified method: how far the z-map lies from a triangle at its points, and from an
-// edge where the edge crosses the canonical mesh. Each has a version an instruction set, chosen at run time;
-// all give the same bits.
+// The inner loops of the certified method: how far the z-map is from a triangle at its points, and from an
+// edge where the edge crosses the canonical mesh. There is one version per instruction set, chosen at run
+// time; all give the same bits.
 #pragma once
 
 #include <cstdint>
@@ -31,13 +31,14 @@ struct PatchDistance {
     std::int32_t j = 0;
 };
 
-/// The point of the closed triangle that lies farthest from it; among equals the one with the smallest row,
-/// then the smallest column. Points on the sides of the patch are left out: borders answer for them.
-/// Counter-clockwise, area positive.
+/// The point of the closed triangle that is farthest from it; of equal ones that with the smallest row, then
+/// the smallest column. Points on the sides of the patch are skipped: they are checked with the borders. The
+/// triangle is counter-clockwise with a positive area.
 [[nodiscard]] PatchDistance farthestPoint(const RegionPatch& patch, const PatchVertex& a,
                                           const PatchVertex& b, const PatchVertex& c, float limit);
 
-/// The same distance where it is within `limit`; where it is not, some distance beyond it, found sooner.
+/// The same distance if it is within `limit`; otherwise some distance beyond the limit, which is found
+/// sooner.
 [[nodiscard]] float distanceUpTo(const RegionPatch& patch, const PatchVertex& a, const PatchVertex& b,
                                  const PatchVertex& c, float limit);
 

@@ -9,16 +9,16 @@
 
 namespace proveout {
 
-/// Numbers the grid points that a mesh uses 0, 1, 2, … in the order in which they are first asked for. Owned
-/// by one thread.
+/// Assigns 0, 1, 2, … to the grid points that a mesh uses, in the order of their first use. Owned by one
+/// thread.
 class LatticeNumbers {
 public:
     static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
-    /// `points`: of the whole grid.
+    /// `points`: number of points of the whole grid.
     explicit LatticeNumbers(std::size_t points) : m_numberOf(points, kUnused) {}
 
-    /// The number of a grid point; gives it the next one where it has none.
+    /// The number of a grid point; assigns the next one if it has none.
     std::uint32_t number(std::uint32_t lattice) {
         std::uint32_t& number = m_numberOf[lattice];
         if (number == kUnused) {
@@ -27,11 +27,11 @@ public:
         }
         return number;
     }
-    /// kUnused where it has none.
+    /// kUnused if it has none.
     [[nodiscard]] std::uint32_t find(std::uint32_t lattice) const { return m_numberOf[lattice]; }
     /// The grid points by number.
     [[nodiscard]] const std::vector<std::uint32_t>& used() const { return m_used; }
-    /// The same for the last time: what the numbers take is free afterwards.
+    /// used() as the last call: moves the list out, so that its memory is freed with the result.
     [[nodiscard]] std::vector<std::uint32_t> releaseUsed() && { return std::move(m_used); }
 
 private:

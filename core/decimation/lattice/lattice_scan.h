@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The z-map points that a triangle covers, and the height of the triangle there.
+// The z-map points that a triangle covers, and the height of the triangle at them.
 #pragma once
 
 #include <algorithm>
@@ -28,11 +28,11 @@ struct LatticeRun {
     double slope;
 };
 
-/// What evaluating a triangle over z-map points of these heights may add to an error by rounding, mm. Each
+/// The error, mm, that rounding may add when a triangle over z-map points of these heights is evaluated. Each
 /// height of a run is Σ w_k z_k / A with weights and area that are whole numbers below 2⁵³, hence exact:
 /// three products, two sums, a division and the step along the run, whose slope times its length stays below
-/// 3 max|z|, err by less than 16 u max|z| (u = 2⁻⁵³). As much again is left to whoever checks the result by
-/// another formula, and then doubled.
+/// 3 max|z|, err by less than 16 u max|z| (u = 2⁻⁵³). The same amount is added for a check of the result by
+/// another formula, and the sum is doubled.
 [[nodiscard]] inline double roundingGuard(std::span<const float> heights) {
     constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
     double largest = 0;
@@ -42,14 +42,14 @@ struct LatticeRun {
 }
 
 /// Calls visit(LatticeRun) for each row of the points in the closed triangle, border points included; stops
-/// and returns false where visit does. Rows that hold a corner alone are left out: corners are points of the
-/// z-map, the distance there is zero. Corners counter-clockwise, area positive.
+/// and returns false if visit returns false. Rows that hold only a corner are skipped: corners are points of
+/// the z-map, so the distance there is zero. Corners counter-clockwise, area positive.
 template<class Visit>
 bool scanTriangle(const LatticeCorner& a, const LatticeCorner& b, const LatticeCorner& c, Visit&& visit) {
-    // Along a row, the height is (Σ w_k z_k) / area, w_k being twice the area opposite of corner k.
+    // Along a row, the height is (Σ w_k z_k) / area, where w_k is twice the area opposite corner k.
     const double area = (b.i - a.i) * (c.j - a.j) - (b.j - a.j) * (c.i - a.i);
     if (area == 1)
-        return true; // by Pick's theorem it holds its corners only
+        return true; // by Pick's theorem it holds only its corners
     const double inverse = 1 / area;
     const double slope =
         ((b.j - c.j) * a.z + (c.j - a.j) * b.z + (a.j - b.j) * c.z) * inverse; // the weights grow by these
@@ -108,11 +108,11 @@ struct LatticeHeights {
     }
 };
 
-/// Whether every point of a run lies within `limit` of the triangle, vertically.
+/// Whether every point of a run is within `limit` of the triangle, vertically.
 [[nodiscard]] inline bool runWithin(const LatticeHeights& heights, const LatticeRun& run, double limit) {
     const float* height = heights.row(run);
     const int count = run.last - run.first + 1;
-    int beyond = 0; // summed up rather than left at once: the loop is then a vector loop
+    int beyond = 0; // accumulated without an early exit, so that the loop can be vectorized
     for (int k = 0; k < count; ++k) {
         const double distance = double{height[k]} - (run.z + run.slope * k);
         beyond |= static_cast<int>(distance > limit) | static_cast<int>(distance < -limit);

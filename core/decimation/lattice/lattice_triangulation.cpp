@@ -9,8 +9,8 @@ namespace proveout {
 
 namespace {
 
-/// Positive where d lies inside the circle through a, b, c (counter-clockwise), 0 on it. Coordinates are
-/// below 2⁹, products below 2³⁸: exact.
+/// Positive if d is inside the circle through a, b, c (counter-clockwise), 0 on it. Coordinates are below 2⁹,
+/// products below 2³⁸: exact.
 std::int64_t inCircle(const PatchVertex& a, const PatchVertex& b, const PatchVertex& c,
                       const PatchVertex& d) {
     const std::int64_t ai = a.i - d.i, aj = a.j - d.j;
@@ -33,7 +33,7 @@ void LatticeTriangulation::reset(const RegionPatch& patch) {
         addVertex({i, j, patch.at(i, j)});
     addTriangle();
     addTriangle();
-    // The diagonal of a region of one cell is the canonical one.
+    // The diagonal of a region with one cell is the canonical one.
     if (m_parity == 0) {
         write(0, {0, 1, 2}, {kNone, kNone, 4});
         write(1, {0, 2, 3}, {2, kNone, kNone});
@@ -98,7 +98,7 @@ std::int32_t LatticeTriangulation::insert(std::int32_t t, const PatchVertex& poi
                                           std::vector<std::int32_t>& touched) {
     const std::int32_t p = addVertex(point);
     const Triangle old = triangle(t);
-    std::size_t on = 3; // the edge that the point lies on
+    std::size_t on = 3; // index of the edge that contains the point
     for (std::size_t k = 0; k < 3; ++k)
         if (twiceArea(vertex(old.vertex[k]), vertex(old.vertex[(k + 1) % 3]), point) == 0)
             on = k;
@@ -118,7 +118,7 @@ std::int32_t LatticeTriangulation::insert(std::int32_t t, const PatchVertex& poi
         const std::int32_t c = old.vertex[(on + 2) % 3];
         const std::int32_t across = old.twin[on];
         const std::int32_t t1 = addTriangle();
-        // (c, a, p) and (b, c, p): suspects lie at edge 0.
+        // (c, a, p) and (b, c, p): the edges to check are their edges 0.
         write(t, {c, a, p}, {old.twin[(on + 2) % 3], kNone, 4 * t1 + 1});
         write(t1, {b, c, p}, {old.twin[(on + 1) % 3], 4 * t + 2, kNone});
         m_suspects = {4 * t, 4 * t1};
@@ -150,7 +150,7 @@ bool LatticeTriangulation::isToFlip(std::int32_t edge) const {
     const std::int64_t inside = inCircle(a, b, c, d);
     if (inside != 0)
         return inside > 0;
-    // Four points on a circle: any diagonal is Delaunay. That of a cell is the canonical one.
+    // Four points on a circle: either diagonal is Delaunay. That of a cell must be the canonical one.
     const bool isCell = std::abs(a.i - b.i) == 1 && std::abs(a.j - b.j) == 1 && std::abs(c.i - d.i) == 1 &&
                         std::abs(c.j - d.j) == 1;
     return isCell && ((a.i + a.j + m_parity) & 1) != 0;
@@ -173,7 +173,8 @@ void LatticeTriangulation::flip(std::int32_t edge) {
 }
 
 void LatticeTriangulation::restoreDelaunay(std::vector<std::int32_t>& touched) {
-    // A suspect's triangle has the new vertex opposite; so have both after the flip, at edges 0.
+    // A suspect's triangle has the new vertex opposite the edge; after the flip so have both triangles, at
+    // their edges 0.
     while (!m_suspects.empty()) {
         const std::int32_t edge = m_suspects.back();
         m_suspects.pop_back();

@@ -11,8 +11,8 @@
 namespace proveout {
 
 /// A triangulation of the rectangle [0, width) × [0, height) of lattice points whose vertices are such
-/// points. Delaunay as long as it is only inserted into; every predicate is exact. Storage grows to the
-/// largest region seen and stays.
+/// points. It stays Delaunay as long as vertices are only inserted; every predicate is exact. Storage grows
+/// to the largest region seen and is kept.
 ///
 /// Triangles are counter-clockwise. Edge 4t + k (k < 3) of triangle t leads from its k-th vertex to the next.
 class LatticeTriangulation {
@@ -21,9 +21,10 @@ public:
 
     struct Triangle {
         std::array<std::int32_t, 3> vertex;
-        float distance; ///< of the z-map, mm, as whoever works on it has found it
+        float distance; ///< from the z-map, mm, as computed by the algorithm that uses the mesh
         std::array<std::int32_t, 3> twin;
-        std::uint32_t state; ///< bits of whoever works on it; kDead once it is gone
+        std::uint32_t state; ///< bits for the algorithm that uses the mesh; kDead once the triangle is
+                             ///< removed
     };
     static constexpr std::uint32_t kDead = 1U << 31U;
 
@@ -34,10 +35,10 @@ public:
     void assign(std::span<const PatchVertex> vertices,
                 std::span<const std::array<std::int32_t, 3>> triangles);
 
-    /// Inserts the point into the triangle that holds it, in its interior or on an edge, and restores
-    /// Delaunay. Triangles made or changed are appended to `touched`, perhaps more than once.
+    /// Inserts the point into the triangle that contains it, in its interior or on an edge, and restores the
+    /// Delaunay property. Triangles made or changed are appended to `touched`, possibly more than once.
     std::int32_t insert(std::int32_t triangle, const PatchVertex& point, std::vector<std::int32_t>& touched);
-    /// The triangle that holds a point, found by a walk.
+    /// The triangle that contains a point, found by walking from `start`.
     [[nodiscard]] std::int32_t locate(std::int32_t start, std::int32_t i, std::int32_t j) const;
 
     [[nodiscard]] std::size_t triangleSlots() const { return m_triangles.size(); }
@@ -72,7 +73,7 @@ public:
     [[nodiscard]] std::int32_t outlineFrom(std::int32_t v) const;
     [[nodiscard]] std::int32_t outlineTo(std::int32_t v) const;
 
-    /// Writes a triangle and tells its twins.
+    /// Writes a triangle and updates the twins of its neighbours.
     void write(std::int32_t t, const std::array<std::int32_t, 3>& vertex,
                const std::array<std::int32_t, 3>& twin);
     void kill(std::int32_t t) { triangle(t).state = kDead; }
@@ -93,8 +94,8 @@ private:
         std::int32_t low, high; ///< its vertices
         std::int32_t edge;
     };
-    std::vector<HalfEdge> m_halfEdges;    ///< of assign(), kept for its storage
-    std::vector<std::int32_t> m_suspects; ///< edges opposite the vertex that was inserted
+    std::vector<HalfEdge> m_halfEdges;    ///< used by assign(), kept for its storage
+    std::vector<std::int32_t> m_suspects; ///< edges opposite the inserted vertex that have to be checked
     std::int32_t m_parity = 0;
 };
 

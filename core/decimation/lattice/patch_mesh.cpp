@@ -10,7 +10,8 @@ namespace proveout {
 
 namespace {
 
-/// The largest distance along an edge that one of its triangles answers for: 0 for the other.
+/// The largest distance along an edge. Only one of the two triangles at the edge counts it; the result for
+/// the other is 0.
 float edgeDistance(const LatticeTriangulation& mesh, const RegionPatch& patch, std::int32_t edge,
                    ErrorLevel level) {
     const PatchVertex& a = mesh.vertex(mesh.origin(edge));
@@ -46,7 +47,7 @@ RegionMesh regionMeshOf(const LatticeTriangulation& mesh, const RegionPatch& pat
         for (std::int32_t k = 0; k < 3; ++k)
             largest = std::max(largest, edgeDistance(mesh, patch, 4 * t + k, parameters.level));
     }
-    // Borders are certified in doubles: what floats add to them here may go beyond the allowance.
+    // Borders are certified in doubles; the rounding of floats here may exceed the allowance.
     made.largestError = std::min(double{largest}, parameters.allowance);
     return made;
 }

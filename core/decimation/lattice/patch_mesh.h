@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the mesh at work on a patch to the mesh of a region, with the error that was found.
+// Converts the working mesh of a patch into the mesh of a region, with its measured error.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace proveout {
 
-/// The living triangles of `mesh`, whose patch lies at `rect` of the grid. `largestError` is the largest of
-/// the triangles' own distances, of what the outline leaves out and, at the surface level, of all crossings
-/// with the canonical mesh; all rounding is counted.
+/// The living triangles of `mesh`, whose patch is at `rect` of the grid. `largestError` is the largest of the
+/// triangles' own distances, of the deviation of the outline and, at the surface level, of all crossings with
+/// the canonical mesh; all rounding is included.
 [[nodiscard]] RegionMesh regionMeshOf(const LatticeTriangulation& mesh, const RegionPatch& patch,
                                       const RegionGrid& grid, const IndexRect& rect,
                                       const DecimationParameters& parameters);

@@ -11,7 +11,7 @@ void RegionPatch::load(const RegionSamples& samples) {
     m_height = samples.rect.height();
     m_parity = (samples.rect.i0 + samples.rect.j0) & 1;
     m_stride = (m_width + 2 * kReadAhead - 1) / kReadAhead * kReadAhead;
-    // One row more than there are: a crossing at the last row is between it and nothing.
+    // One more row than the region has: a crossing at the last row is computed between it and the next one.
     const auto size =
         static_cast<std::size_t>(m_stride) * static_cast<std::size_t>(m_height + 1) + kReadAhead;
     if (m_heights.size() < size)

@@ -10,11 +10,11 @@
 
 namespace proveout {
 
-/// The heights of one region as the certified method works on them: relative to the region's first point, in
-/// rows with room to read a whole vector from any point. Owned by one decimator, allocated once.
+/// The heights of one region in the layout of the certified method: relative to the region's first point, in
+/// rows padded so that a whole vector can be read from any point. Owned by one decimator, allocated once.
 class RegionPatch {
 public:
-    /// Widest vector that is read from a point: 64 bytes.
+    /// The widest vector that is read from a point: 64 bytes.
     static constexpr int kReadAhead = 16;
 
     void load(const RegionSamples& samples);
@@ -24,13 +24,13 @@ public:
     [[nodiscard]] int stride() const { return m_stride; }
     [[nodiscard]] const float* heights() const { return m_heights.data(); }
     [[nodiscard]] float at(int i, int j) const { return m_heights[index(i, j)]; }
-    /// The largest magnitude of a height: what rounding is proportional to.
+    /// The largest magnitude of a height, to which rounding is proportional.
     [[nodiscard]] double largest() const { return m_largest; }
-    /// What the float heights may differ from the true ones, twice, and the rounding of a result.
+    /// The possible difference of the float heights from the true ones, twice, and the rounding of a result.
     [[nodiscard]] double guard(double result) const {
         return (3 * m_largest + result) * double{std::numeric_limits<float>::epsilon()} / 2;
     }
-    /// Diagonals of the canonical mesh lie where i + j (of the patch) plus this is even: 0 or 1.
+    /// A diagonal of the canonical mesh is where i + j (of the patch) plus this is even: 0 or 1.
     [[nodiscard]] int parity() const { return m_parity; }
 
 private:

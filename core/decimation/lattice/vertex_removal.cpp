@@ -41,7 +41,7 @@ bool VertexRemoval::runFrom(const RegionPatch& patch, float limit, bool surface,
     return drain(stop);
 }
 
-/// Nothing is queued; the outline stays.
+/// Prepares a run with an empty queue; vertices of the outline are not removable.
 void VertexRemoval::begin(const RegionPatch& patch, float limit, bool surface, LatticeTriangulation& mesh) {
     m_surface = surface;
     m_patch = &patch;
@@ -58,7 +58,7 @@ void VertexRemoval::begin(const RegionPatch& patch, float limit, bool surface, L
 
 bool VertexRemoval::drain(const std::stop_token& stop) {
     std::size_t taken = 0;
-    while (taken < m_queue.size()) { // it grows meanwhile
+    while (taken < m_queue.size()) { // the queue grows during the loop
         if (stop.stop_requested())
             return false;
         const std::int32_t v = m_queue[taken++];
@@ -145,7 +145,7 @@ std::int32_t VertexRemoval::area(std::int32_t a, std::int32_t b, std::int32_t c)
     return m_turn[ka][kb] + m_turn[kb][kc] + m_turn[kc][ka];
 }
 
-/// Whether a triangle covers the vertex that is to go, and lies too far from it.
+/// Whether a triangle covers the vertex to be removed and is too far from it.
 bool VertexRemoval::missesCentre(std::int32_t a, std::int32_t b, std::int32_t c) const {
     const auto ka = static_cast<std::size_t>(a);
     const auto kb = static_cast<std::size_t>(b);
@@ -180,7 +180,7 @@ bool VertexRemoval::holdsAtCentre() const {
 }
 
 /// Whether the part of the hole between neighbours `from` and `to` and the chord that joins them can be
-/// triangulated; memorised per chord.
+/// triangulated; memorized per chord.
 bool VertexRemoval::triangulate(std::int32_t from, std::int32_t to) {
     if (to == from + 1)
         return true;
@@ -208,7 +208,7 @@ bool VertexRemoval::triangulate(std::int32_t from, std::int32_t to) {
 }
 
 /// Writes the triangles of a part into the slots of the old ones; returns the edge along the chord, seen from
-/// the outside: what is to be the twin of the triangle beyond it.
+/// the outside: it becomes the twin of the triangle beyond it.
 std::int32_t VertexRemoval::writeTriangles(std::int32_t from, std::int32_t to, std::int32_t& slot) {
     if (to == from + 1)
         return m_ring[static_cast<std::size_t>(from)].outside;

@@ -11,16 +11,17 @@
 
 namespace proveout {
 
-/// Removes interior vertices one by one: one goes where the hole that its triangles leave can be triangulated
-/// anew so that all z-map points under it stay within the limit. All triangulations of the hole are open to
-/// it, those of a half-edge collapse (a fan from one neighbour) among them.
+/// Removes interior vertices one by one: a vertex is removed if the hole left by its triangles can be
+/// triangulated again so that all z-map points under it stay within the limit. All triangulations of the hole
+/// are considered, including those of a half-edge collapse (a fan from one neighbour).
 class VertexRemoval {
 public:
-    /// `limit` in mm; `extras` are vertices of the outline that may go as well. False where it was stopped.
+    /// `limit` in mm; `extras` are vertices of the outline that may be removed as well. False if it was
+    /// stopped.
     bool run(const RegionPatch& patch, float limit, bool surface, std::span<const std::int32_t> extras,
              LatticeTriangulation& mesh, const std::stop_token& stop);
-    /// The same for a mesh of which only `seeds` may have become removable, and what their going frees. Those
-    /// on the sides of the patch in `freeSides` (in the order of kSides) may go too.
+    /// The same for a mesh in which only `seeds`, and vertices near those removed, may have become removable.
+    /// Vertices on the sides of the patch in `freeSides` (in the order of kSides) may be removed too.
     bool runFrom(const RegionPatch& patch, float limit, bool surface, std::span<const std::int32_t> seeds,
                  const std::array<bool, 4>& freeSides, LatticeTriangulation& mesh,
                  const std::stop_token& stop);
@@ -38,7 +39,7 @@ private:
         std::int32_t outside;  ///< twin of the edge to the next
     };
     struct Chord {
-        std::int32_t apex; ///< third corner of the triangle at the chord's inner side
+        std::int32_t apex; ///< third corner of the triangle on the chord's inner side
         float distance;    ///< of that triangle
     };
 
@@ -59,7 +60,7 @@ private:
     bool m_surface = false;
     std::int32_t m_count = 0;
     float m_centreZ = 0;
-    bool m_isClosed = true; ///< the star goes all around
+    bool m_isClosed = true; ///< the star surrounds the vertex completely
     std::array<Neighbour, kMostNeighbours> m_ring;
     std::array<std::array<std::int32_t, kMostNeighbours>, kMostNeighbours> m_turn; ///< cross products about v
     std::array<std::array<Chord, kMostNeighbours>, kMostNeighbours> m_chord;

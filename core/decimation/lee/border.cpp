@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Borders are simplified before regions, each by its own samples, by the same rules as regions: a vertex goes
-// if its distance to the line through its neighbours plus its accumulated error is within the allowance.
+// Borders are simplified before regions, each by its own samples, by the same rules as regions: a vertex is
+// removed if its distance to the line through its neighbours plus its accumulated error is within the
+// allowance.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -32,7 +33,8 @@ public:
         const double total = lineDistance(fromVertex(k, a), fromVertex(k, b)) + m_error[k];
         if (total > parameters.allowance || (parameters.certify && !chordWithin(a, b, limit)))
             return;
-        // Along the shorter edge, as in a region; the line is the same either way, only the error moves.
+        // Collapses along the shorter edge, as in a region; the resulting line is the same either way, only
+        // the error moves to a different vertex.
         const bool intoB = glm::length(fromVertex(k, b)) < glm::length(fromVertex(k, a));
         m_error[intoB ? b : a] += total;
         m_after[a] = b;

@@ -10,7 +10,7 @@ using OpenMesh::VertexHandle;
 void killEdgeAndFace(HalfEdgeMesh& mesh, HalfedgeHandle side) {
     const HalfedgeHandle across = mesh.opposite_halfedge_handle(side);
     const FaceHandle killed = mesh.face_handle(side);
-    const FaceHandle grown = mesh.face_handle(across); // not valid where the edge lies on the border
+    const FaceHandle grown = mesh.face_handle(across); // not valid if the edge is on the border
     const HalfedgeHandle next = mesh.next_halfedge_handle(side);
     const HalfedgeHandle nextAcross = mesh.next_halfedge_handle(across);
     const VertexHandle from = mesh.to_vertex_handle(across);
@@ -35,7 +35,7 @@ void killEdgeAndVertex(HalfEdgeMesh& mesh, HalfedgeHandle out) {
     const VertexHandle killed = mesh.to_vertex_handle(back);
     const VertexHandle kept = mesh.to_vertex_handle(out);
     const HalfedgeHandle next = mesh.next_halfedge_handle(out);
-    // Where the vertex had three neighbours the edge dangles by now, both its sides in one face.
+    // If the vertex had three neighbours, the edge is a dangling one now, with both its sides in one face.
     const bool dangles = mesh.next_halfedge_handle(back) == out;
     const HalfedgeHandle nextBack = dangles ? next : mesh.next_halfedge_handle(back);
 
@@ -48,7 +48,8 @@ void killEdgeAndVertex(HalfEdgeMesh& mesh, HalfedgeHandle out) {
         mesh.set_halfedge_handle(face, next);
     if (const FaceHandle face = mesh.face_handle(back); face.is_valid())
         mesh.set_halfedge_handle(face, nextBack);
-    // A border vertex must point at the outer half-edge that leaves it, be it inherited from the one removed.
+    // A border vertex must point at the outer half-edge that leaves it, even if that was inherited from the
+    // removed edge.
     const HalfedgeHandle outer = mesh.halfedge_handle(killed);
     if (mesh.is_boundary(outer))
         mesh.set_halfedge_handle(kept, outer == out ? next : outer);
@@ -61,7 +62,7 @@ void killEdgeAndVertex(HalfEdgeMesh& mesh, HalfedgeHandle out) {
 
 void collapseEdge(HalfEdgeMesh& mesh, HalfedgeHandle out) {
     const HalfedgeHandle back = mesh.opposite_halfedge_handle(out);
-    // Of each face on the edge goes the edge that meets it in the vertex to be removed.
+    // In each face on the edge, the edge that meets it in the vertex to be removed is killed.
     if (!mesh.is_boundary(out))
         killEdgeAndFace(mesh, mesh.prev_halfedge_handle(out));
     if (!mesh.is_boundary(back))

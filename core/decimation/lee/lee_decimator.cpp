@@ -60,10 +60,10 @@ void LeeDecimator::orderVertices(const std::array<BorderLinePtr, 4>& borders, st
     arrange(m_order, parameters.order, seed);
 }
 
-/// Paper §4.2. The accumulated error is read thus: a vertex that goes leaves its *total* error (its local
-/// error and what it had gathered) to the one vertex that it collapses into, not to its other neighbours.
-/// The text, "the vertex error e_j is distributed to V_i using e_i = e_i + e_j", admits no more than that one
-/// V_i, and calls the total "the total error e_i".
+/// Paper §4.2. The accumulated error is interpreted as follows: a removed vertex passes its *total* error
+/// (its local error and what it had accumulated) to the one vertex that it collapses into, not to its other
+/// neighbours. The text, "the vertex error e_j is distributed to V_i using e_i = e_i + e_j", admits only that
+/// one V_i, and calls the total "the total error e_i".
 void LeeDecimator::tryRemove(VertexHandle vertex) {
     const Star& star = m_mesh.star(vertex);
     const double total = localError(star) + m_error[static_cast<std::size_t>(vertex.idx())];
@@ -77,13 +77,13 @@ void LeeDecimator::tryRemove(VertexHandle vertex) {
         const OpenMesh::Vec3d& offset = star.spokes[k].offset;
         const double x = offset[0] * m_hx;
         const double y = offset[1] * m_hy;
-        // A border vertex moves along the border only (§4.3.2).
+        // A border vertex moves only along the border (§4.3.2).
         const bool isCandidate = star.closed || k == 0 || k + 1 == count;
         m_lengths[k] = isCandidate ? x * x + y * y + offset[2] * offset[2] : kRefused;
     }
     for (;;) {
-        // The shortest edge first (§4.2.2); among equals the vertex that comes first in the region, since the
-        // order of the spokes is OpenMesh's own affair.
+        // The shortest edge first (§4.2.2); of equal ones that to the vertex that comes first in the region,
+        // because the order of the spokes depends on OpenMesh.
         std::size_t target = 0;
         for (std::size_t k = 1; k < count; ++k) {
             const bool isShorter = m_lengths[k] < m_lengths[target] ||
@@ -107,8 +107,8 @@ double LeeDecimator::localError(const Star& star) const {
 }
 
 /// Whether all points covered by the faces that a collapse would change stay within the allowance. The faces
-/// cover the same points before and after, borders included, and all others stay as they are: what holds for
-/// the full mesh therefore holds after every step.
+/// cover the same points before and after, borders included, and all other faces stay unchanged: therefore a
+/// property of the full mesh holds after every step.
 bool LeeDecimator::staysWithin(const Star& star, std::size_t target) const {
     const LatticeCorner to = corner(star.spokes[target].tip);
     for (std::size_t k = 0; k < star.faceCount(); ++k) {

@@ -35,12 +35,12 @@ private:
     RegionHalfEdges m_mesh;
     std::vector<double> m_error;        ///< accumulated error e of each vertex, mm
     std::vector<std::uint32_t> m_order; ///< vertices to be tested
-    std::vector<double> m_lengths;      ///< squared, of the candidates at work; infinite once refused
+    std::vector<double> m_lengths;      ///< squared, of the current candidates; infinite once refused
     LatticeHeights m_heights{};
     double m_hx = 1;
     double m_hy = 1;
     double m_allowance = 0;
-    double m_limit = 0; ///< vertical distance that `certify` admits
+    double m_limit = 0; ///< vertical distance that `certify` allows
     bool m_certify = true;
 };
 

@@ -13,8 +13,8 @@ using OpenMesh::VertexHandle;
 
 namespace {
 
-/// Where the half-edges of a region stand. Edges: those along x row by row, those along y row by row, one
-/// diagonal a cell. The even half-edge of an edge runs towards rising x, rising y; that of a diagonal
+/// The indices of the half-edges of a region. Edges: those along x row by row, those along y row by row, one
+/// diagonal per cell. The even half-edge of an edge runs towards rising x or rising y; that of a diagonal
 /// upwards.
 struct EdgePlan {
     int cellsX;
@@ -46,7 +46,7 @@ void RegionHalfEdges::build(const IndexRect& rect, std::span<const float> height
         2 * static_cast<std::size_t>(plan.cellsX) * static_cast<std::size_t>(plan.cellsY);
     assert(heights.size() == vertices);
 
-    // What is left of the region before is written over, item by item: clearing would touch everything twice.
+    // The data of the previous region is overwritten item by item: clearing would touch everything twice.
     m_mesh.resize(vertices, edges, faces);
     for (std::size_t e = 0; e < edges; ++e)
         m_mesh.status(EdgeHandle(static_cast<int>(e))).set_bits(0);
@@ -97,7 +97,8 @@ void RegionHalfEdges::linkCells(const IndexRect& rect) {
             const int east = plan.alongY(i + 1, j);
             const int up = plan.diagonal(i, j);
             const int down = reversed(up);
-            const int face = up - plan.diagonal(0, 0); // two faces a cell, as there are two half-edges
+            const int face = up - plan.diagonal(0, 0); // two faces per cell, just as a diagonal has two
+                                                       // half-edges
             if ((rect.i0 + i + rect.j0 + j) % 2 == 0) {
                 join(up, vertex(i, j), vertex(i + 1, j + 1));
                 linkFace(face, south, east, down);
@@ -111,9 +112,9 @@ void RegionHalfEdges::linkCells(const IndexRect& rect) {
     }
 }
 
-// The outer half-edges run clockwise around the region: up its west side, east along the north, down the
-// east side, west along the south. A border vertex starts its ring with the outer half-edge that leaves it;
-// that is how OpenMesh knows border vertices.
+// The outer half-edges run clockwise around the region: up its west side, east along the north, down the east
+// side, west along the south. A border vertex starts its ring with the outer half-edge that leaves it; that
+// is how OpenMesh recognizes border vertices.
 void RegionHalfEdges::linkOutline() {
     const EdgePlan plan{m_width - 1, m_height - 1};
     const HalfedgeHandle start(plan.alongY(0, 0));
@@ -158,8 +159,8 @@ void RegionHalfEdges::drawBorder(Side side, const BorderLine& line) {
     const auto last = static_cast<std::uint32_t>(n);
     if (line.kept.size() == last + 1)
         return;
-    // Vertex by vertex into the neighbour that snapToKept() names, nearest to it first, so that each
-    // collapse runs along an edge that exists.
+    // Each vertex collapses into the neighbour that snapToKept() names, starting with the one nearest to it,
+    // so that each collapse runs along an existing edge.
     for (std::size_t k = 0; k + 1 < line.kept.size(); ++k) {
         const std::uint32_t a = line.kept[k];
         const std::uint32_t b = line.kept[k + 1];
@@ -195,7 +196,7 @@ const Star& RegionHalfEdges::star(VertexHandle vertex) {
     m_star.closed = !m_mesh.is_boundary(leaving);
     m_star.spokes.clear();
     const OpenMesh::Vec3d centre = m_mesh.point(vertex);
-    // The outer half-edge of a border vertex has its face missing: the gap lies right behind it.
+    // The outer half-edge of a border vertex has no face: the gap follows it directly.
     const HalfedgeHandle first = m_star.closed ? leaving : turned(leaving);
     HalfedgeHandle out = first;
     do {
@@ -211,17 +212,17 @@ bool RegionHalfEdges::isCollapseValid(const Star& star, std::size_t target) {
     for (std::size_t k = 0; k < star.faceCount(); ++k) {
         const std::size_t next = star.nextSpoke(k);
         if (k == target || next == target)
-            continue; // these faces vanish with the edge
+            continue; // these faces are removed with the edge
         const OpenMesh::Vec3d a = star.spokes[k].offset - t;
         const OpenMesh::Vec3d b = star.spokes[next].offset - t;
-        // Whole numbers of cells, so the sign is exact: zero is the degenerate face of Fig. 4(a), negative
-        // the flipped one of Fig. 4(b).
+        // Coordinates are whole numbers of cells, so the sign is exact: zero is the degenerate face of Fig.
+        // 4(a), negative the flipped one of Fig. 4(b).
         if (a[0] * b[1] - a[1] * b[0] <= 0)
             return false;
     }
     // The new faces have positive areas that sum up to that of the polygon around the old ones, so they tile
-    // it; an edge of theirs that the mesh has elsewhere would have to run outside of the polygon. Hence no
-    // edge or face comes up twice, and OpenMesh's test of the rings is left to builds with assertions.
+    // it; an edge of theirs that exists elsewhere in the mesh would have to run outside of the polygon. Hence
+    // no edge or face occurs twice, and OpenMesh's test of the rings is done only in builds with assertions.
     assert(m_mesh.is_collapse_ok(star.spokes[target].out));
     return true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The triangular mesh of a region while it is decimated (paper §4.1 and §4.3), in OpenMesh's half-edges.
+// The triangle mesh of a region while it is decimated (paper §4.1 and §4.3), in OpenMesh's half-edges.
 #pragma once
 
 #include <cstddef>
@@ -17,30 +17,30 @@ namespace proveout {
 struct Spoke {
     OpenMesh::HalfedgeHandle out;
     OpenMesh::VertexHandle tip;
-    OpenMesh::Vec3d offset; ///< from the centre: cells, cells, mm
+    OpenMesh::Vec3d offset; ///< relative to the centre: cells, cells, mm
 };
 
-/// A vertex with its neighbours, counter-clockwise. Each two neighbours that follow one another span a face
-/// with the centre; the last and the first do only where the star is closed. Those of a border vertex begin
-/// and end with its neighbours along the border.
+/// A vertex with its neighbours, counter-clockwise. Two consecutive neighbours span a face with the centre;
+/// the last and the first do so only if the star is closed. The neighbours of a border vertex begin and end
+/// with those along the border.
 struct Star {
     OpenMesh::VertexHandle centre;
     bool closed = true;
     std::vector<Spoke> spokes;
 
     [[nodiscard]] std::size_t faceCount() const { return closed ? spokes.size() : spokes.size() - 1; }
-    /// The two spokes of face k: k and the next.
+    /// Face k is between spoke k and the next one.
     [[nodiscard]] std::size_t nextSpoke(std::size_t k) const { return k + 1 == spokes.size() ? 0 : k + 1; }
 };
 
-/// Vertex k of a region of w × h points is its point (k % w, k / w), whatever was removed since. One thread.
-/// Storage grows to the largest region seen and is kept.
+/// Vertex k of a region of w × h points is its point (k % w, k / w), even after other vertices have been
+/// removed. One thread. Storage grows to the largest region seen and is kept.
 class RegionHalfEdges {
 public:
     using Vertex = OpenMesh::VertexHandle;
 
-    /// The canonical 4-8 triangulation of the points of `rect`, filled in a predetermined manner: no face is
-    /// searched for its neighbours (paper §4.1).
+    /// The canonical 4-8 triangulation of the points of `rect`, filled in a predetermined manner: no search
+    /// for the neighbours of a face is needed (paper §4.1).
     void build(const IndexRect& rect, std::span<const float> heights);
     /// Removes the vertices of a side that its polyline drops; the mesh then equals fullRegionMesh() with
     /// that border.
@@ -55,7 +55,8 @@ public:
     /// The neighbours of a vertex. The reference holds until the next call.
     [[nodiscard]] const Star& star(Vertex vertex);
 
-    /// Whether the centre may collapse into a neighbour (paper §4.2.2): no face is flipped or degenerates.
+    /// Whether the centre may collapse into a neighbour (paper §4.2.2): no face is flipped or becomes
+    /// degenerate.
     [[nodiscard]] bool isCollapseValid(const Star& star, std::size_t target);
     /// Removes the centre; see collapseEdge().
     void collapse(const Star& star, std::size_t target);

@@ -10,7 +10,7 @@ double averagePlaneDistance(const Star& star, double hx, double hy) {
         const OpenMesh::Vec3d& offset = star.spokes[k].offset;
         return Vec3{offset[0] * hx, offset[1] * hy, offset[2]};
     };
-    // All lengths are taken from the vertex itself, so that the distance is that of the origin and no digits
+    // All lengths are relative to the vertex itself, so that the distance is that of the origin and no digits
     // are lost at large heights.
     Vec3 normal{0}; // Σ 2 A_i N_i
     Vec3 centre{0}; // Σ 2 A_i 3 P_i
@@ -31,7 +31,7 @@ double averagePlaneDistance(const Star& star, double hx, double hy) {
 double borderLineDistance(const Star& star, double hx, double hy) {
     const OpenMesh::Vec3d& a = star.spokes.front().offset;
     const OpenMesh::Vec3d& b = star.spokes.back().offset;
-    // A border runs along x or along y: one of the two sums is zero.
+    // A border runs along x or along y, so one of the two sums is zero.
     return lineDistance({a[0] * hx + a[1] * hy, a[2]}, {b[0] * hx + b[1] * hy, b[2]});
 }
 

@@ -10,9 +10,9 @@ namespace proveout {
 /// weighted by their areas (paper §4.2.1, after Schroeder). `hx`, `hy` are the size of a cell.
 [[nodiscard]] double averagePlaneDistance(const Star& star, double hx, double hy);
 
-/// Distance of a border vertex to the line through its two neighbours along the border, mm: the same question
-/// asked within the border. The average plane of a border vertex's half fan answers another one: measured, it
-/// opened gaps ten times as wide.
+/// Distance of a border vertex to the line through its two neighbours along the border, mm: the same measure
+/// within the border. The average plane of a border vertex's half fan cannot replace it: it was measured to
+/// open gaps ten times as wide.
 [[nodiscard]] double borderLineDistance(const Star& star, double hx, double hy);
 
 /// Distance of the origin to the line through two points of the plane, mm.

@@ -25,7 +25,7 @@ double CanonicalSurface::height(double i, double j) const {
 double CanonicalSurface::distanceAlong(const Vec3& a, const Vec3& b) const {
     const auto distance = [this](const Vec3& p) { return std::abs(p.z - height(p.x, p.y)); };
     double largest = std::max(distance(a), distance(b));
-    // The edges of the mesh lie on four families of lines, each on the multiples of a step.
+    // The edges of the mesh are on four families of lines, each at the multiples of a step.
     struct Family {
         double from, to, step;
     };

@@ -43,7 +43,7 @@ public:
         }
         const std::int64_t area = cross(corner[0], corner[1], corner[2]);
         if (area == 0)
-            return; // stands on edge: it covers no point by itself
+            return; // a vertical triangle, which covers no point by itself
         const auto [j0, j1] = std::minmax({corner[0][1], corner[1][1], corner[2][1]});
         const std::int64_t first = std::max<std::int64_t>(j0, m_rect.j0);
         const std::int64_t last = std::min<std::int64_t>(j1, m_rect.j1 - 1);
@@ -84,8 +84,8 @@ public:
     }
 
 private:
-    /// Columns of the rectangle that hold every point of the triangle in row j, and at most two more on each
-    /// side: a thin triangle's bounding box would be mostly empty.
+    /// Columns of the rectangle that contain every point of the triangle in row j, and at most two more on
+    /// each side: a thin triangle's bounding box would be mostly empty.
     [[nodiscard]] std::array<std::int64_t, 2>
     rowSpan(const std::array<std::array<std::int64_t, 2>, 3>& corner, std::int64_t j) const {
         double low = std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ private:
     IndexRect m_rect;
     std::size_t m_width;
     std::vector<float> m_heights;
-    std::vector<double> m_distance; ///< per point of the rectangle; negative: not covered so far
+    std::vector<double> m_distance; ///< per point of the rectangle; negative: not covered yet
 };
 
 } // namespace

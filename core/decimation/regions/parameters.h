@@ -10,36 +10,38 @@
 namespace proveout {
 
 enum class DecimationMethod : std::uint8_t {
-    certified, ///< insertion and removal under a bound; see certified_decimator.h
+    certified, ///< insertion and removal under an error bound; see certified_decimator.h
     lee,       ///< the paper's local decimation, region by region
     global,    ///< the paper's §2.1, the whole map at once, for comparison
     none,      ///< always the full mesh
 };
 
 enum class BorderRule : std::uint8_t {
-    shared, ///< borders are simplified first, each by its own samples: no crack
-    paper,  ///< each region simplifies its own copy: cracks, for studies only, never exported
+    shared, ///< borders are simplified first, each by its own samples, so that there are no cracks
+    paper,  ///< each region simplifies its own copy, which causes cracks; for studies only, never exported
 };
 
 enum class RemovalOrder : std::uint8_t { random, sequential };
 
-/// Where a surface keeps within its allowance, or where an error is measured.
+/// Where a surface stays within its allowance, or where an error is measured.
 enum class ErrorLevel : std::uint8_t {
-    sample,  ///< at every z-map point; between two of them, at a wall, it may be farther off
+    sample,  ///< at every z-map point; between two of them, at a wall, the deviation may be larger
     surface, ///< everywhere
 };
 
-/// The parameters of the paper (§5: region size, period s, error allowance e) and of the product. Value type.
+/// The parameters of the paper (§5: region size, period s, error allowance e) and of this program. Value
+/// type.
 struct DecimationParameters {
     DecimationMethod method = DecimationMethod::certified;
     int regionCells = 16;    ///< a region is regionCells × regionCells cells
-    int period = 5;          ///< s: every s-th block that moves; -1 once at the start, 0 never
+    int period = 5;          ///< s: every s-th motion block; -1 once at the start, 0 never
     double allowance = 0.05; ///< e, mm; 0 means no decimation
-    bool certify = true;     ///< refuse a removal that would leave a z-map point farther than e vertically
+    bool certify = true;     ///< refuse a removal that would leave a z-map point farther than e away
+                             ///< vertically
     BorderRule borders = BorderRule::shared;
     RemovalOrder order = RemovalOrder::random;
     int seed = 1;
-    ErrorLevel level = ErrorLevel::surface; ///< of the certified method; while cutting it is `sample`
+    ErrorLevel level = ErrorLevel::surface; ///< for the certified method; during cutting it is `sample`
 
     friend bool operator==(const DecimationParameters&, const DecimationParameters&) = default;
 };
@@ -64,7 +66,7 @@ inline constexpr std::array kLevelChoices{
     Choice{"surface", PROVEOUT_TEXT("Core", "Everywhere")},
 };
 
-/// Names every field once; see field.h.
+/// Visits every field once; see field.h.
 template<ParametersOf<DecimationParameters> Params, class Visitor>
 void describe(Params& params, Visitor&& visit) {
     visit(params.method,

@@ -10,24 +10,25 @@
 
 namespace proveout {
 
-/// How far each region may lie from the z-map, where a view can stand more in one than in another. Allowances
-/// are the smallest one times powers of two, and change with hysteresis: one becomes finer as soon as the
-/// view asks for it, coarser only when the view can stand kSlack times more than that step needs. Value type.
+/// How far each region may be from the z-map when a view tolerates more in one region than in another.
+/// Allowances are the smallest one times powers of two, and change with hysteresis: an allowance becomes
+/// finer as soon as the view requires it, coarser only when the view tolerates kSlack times more than that
+/// step needs. Value type.
 class RegionAllowances {
 public:
     static constexpr double kSlack = 1.25;
     static constexpr int kMostSteps = 10;
 
     RegionAllowances() = default;
-    /// `smallest`, mm, everywhere.
+    /// `smallest`, mm, for all regions.
     RegionAllowances(const RegionGrid& grid, double smallest);
 
     [[nodiscard]] double region(std::size_t region) const;
-    /// Of the polyline of a border: the smaller one of its regions, so that it serves both.
+    /// For the polyline of a border: the smaller one of its regions', so that it serves both.
     [[nodiscard]] double border(std::size_t border) const;
 
-    /// What the view can stand, mm, a region; less than the smallest allowance counts as that. Returns the
-    /// regions, ascending, whose mesh or borders had another allowance before.
+    /// `wanted`: what the view tolerates, mm, per region; less than the smallest allowance counts as that.
+    /// Returns the regions, ascending, whose mesh or borders had another allowance before.
     std::vector<std::size_t> follow(std::span<const double> wanted);
 
 private:

@@ -13,8 +13,8 @@ int regionsAlong(int points, int cells) {
     return std::max(1, (points - 1 + cells - 1) / cells);
 }
 
-/// The regions [first, last) along an axis that hold one of the points [p0, p1). A point on a border is held
-/// by the regions on both sides.
+/// The regions [first, last) along an axis that contain one of the points [p0, p1). A point on a border
+/// belongs to the regions on both sides.
 std::array<int, 2> regionsHolding(int p0, int p1, int cells, int regions) {
     const int first = p0 <= 0 ? 0 : (p0 - 1) / cells;
     const int last = std::min((p1 - 1) / cells + 1, regions);
@@ -131,8 +131,8 @@ IndexRect RegionGrid::regionsTouching(const IndexRect& rect) const {
 
 std::uint32_t firstSnappedUp(std::uint32_t a, std::uint32_t b, std::uint32_t n) {
     const std::uint32_t nearer = (a + b) / 2 + 1;
-    // Beside a corner both borders must draw back into the corner: were one of its two neighbours to move
-    // away along its border, and the other along its own, the triangle between them would turn over.
+    // Beside a corner both borders must snap to the corner: if one of its two neighbours moved away along its
+    // border, and the other along its own, the triangle between them would turn over.
     const bool endsInCorner = b == n && a + 1 < b;
     return endsInCorner ? std::min(nearer, n - 1) : nearer;
 }

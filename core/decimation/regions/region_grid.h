@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a grid is divided into regions, and what stands between two of them.
+// How a grid is divided into regions, and the borders between them.
 #pragma once
 
 #include <array>
@@ -34,16 +34,16 @@ public:
 
     /// The points of a region, border points included.
     [[nodiscard]] IndexRect points(std::size_t region) const;
-    /// Index of the border on a side of a region; the neighbour across has the same.
+    /// Index of the border on a side of a region; the neighbour across the border has the same one.
     [[nodiscard]] std::size_t border(std::size_t region, Side side) const;
     /// The four borders, in the order of kSides.
     [[nodiscard]] std::array<std::size_t, 4> borders(std::size_t region) const;
     /// The one or two regions at a border; the second is kNoRegion at the edge of the map.
     static constexpr std::size_t kNoRegion = static_cast<std::size_t>(-1);
     [[nodiscard]] std::array<std::size_t, 2> sharers(std::size_t border) const;
-    /// The points of a border as a rectangle one point thin.
+    /// The points of a border as a rectangle that is one point wide.
     [[nodiscard]] IndexRect borderPoints(std::size_t border) const;
-    /// Index ranges [rx0, rx1) × [ry0, ry1) of the regions that hold a point of `rect`.
+    /// Index ranges [rx0, rx1) × [ry0, ry1) of the regions that contain a point of `rect`.
     [[nodiscard]] IndexRect regionsTouching(const IndexRect& rect) const;
     [[nodiscard]] std::size_t regionAt(int rx, int ry) const {
         return static_cast<std::size_t>(ry) * static_cast<std::size_t>(m_regionsX) +
@@ -74,12 +74,12 @@ struct BorderLine {
 };
 using BorderLinePtr = std::shared_ptr<const BorderLine>;
 
-/// Of the offsets between two kept ones a < b of a border 0 … n, the first that goes to b when the border is
-/// drawn as its polyline; b where all go to a.
+/// Of the offsets between two kept ones a < b of a border 0 … n, the first that moves to b when the border is
+/// drawn as its polyline; b if all move to a.
 [[nodiscard]] std::uint32_t firstSnappedUp(std::uint32_t a, std::uint32_t b, std::uint32_t n);
 
-/// Where each of the offsets 0 … n of a border goes when the border is drawn as `kept`: to itself where it is
-/// kept, else to the kept neighbour on its nearer side (next to a corner: to the corner). Replacing the
+/// Where each of the offsets 0 … n of a border moves when the border is drawn as `kept`: a kept one stays,
+/// any other moves to the kept neighbour on its nearer side (next to a corner: to the corner). Replacing the
 /// border vertices of a full region mesh by this map and dropping the triangles that collapse gives a valid
 /// mesh that meets the polyline: that is how a region drawn from the z-map meets a decimated neighbour
 /// without a crack. A border of two cells must keep its middle: it is next to both corners at once.

@@ -76,7 +76,7 @@ std::size_t fullRegionFaces(const RegionGrid& grid, std::size_t region,
     const auto cellsX = static_cast<std::size_t>(rect.width() - 1);
     const auto cellsY = static_cast<std::size_t>(rect.height() - 1);
     std::size_t faces = 2 * cellsX * cellsY;
-    // A border point that goes takes one triangle with it (paper, Fig. 6).
+    // A removed border point removes one triangle with it (paper, Fig. 6).
     for (const Side side : kSides) {
         if (const BorderLinePtr& line = borders[static_cast<std::size_t>(side)]) {
             const bool alongX = side == Side::south || side == Side::north;

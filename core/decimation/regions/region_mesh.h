@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// A triangle as lattice indices, counter-clockwise seen from +Z. Every vertex of every mesh here is a z-map
+/// A triangle as lattice indices, counter-clockwise seen from +Z. Every vertex of every mesh is a z-map
 /// point.
 using LatticeTriangle = std::array<std::uint32_t, 3>;
 
@@ -24,11 +24,11 @@ struct BorderPoint {
 /// The decimated mesh of one region. Immutable once published.
 struct RegionMesh {
     std::vector<LatticeTriangle> triangles;
-    double allowance = 0;    ///< mm, that it was made within
+    double allowance = 0;    ///< mm, the allowance that it was made with
     double largestError = 0; ///< largest vertical distance of a z-map point of the region, mm, measured
-    /// Border points that the mesh needs beyond those it was given (ErrorLevel::surface). Where there are
-    /// any, it fits to no neighbour: all regions at these borders are to be decimated again, with them. Empty
-    /// once published.
+    /// Border points that the mesh needs in addition to those it was given (ErrorLevel::surface). If there
+    /// are any, the mesh does not fit its neighbours: all regions at these borders must be decimated again,
+    /// with these points. Empty once published.
     std::vector<BorderPoint> wanted;
 };
 using RegionMeshPtr = std::shared_ptr<const RegionMesh>;
@@ -39,7 +39,7 @@ using RegionMeshPtr = std::shared_ptr<const RegionMesh>;
 [[nodiscard]] std::vector<LatticeTriangle> fullRegionMesh(const RegionGrid& grid, std::size_t region,
                                                           const std::array<BorderLinePtr, 4>& borders = {});
 
-/// How many triangles fullRegionMesh() gives, without building them.
+/// How many triangles fullRegionMesh() makes, without building them.
 [[nodiscard]] std::size_t fullRegionFaces(const RegionGrid& grid, std::size_t region,
                                           const std::array<BorderLinePtr, 4>& borders = {});
 

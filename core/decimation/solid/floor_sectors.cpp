@@ -26,7 +26,7 @@ double width(const Corner& corner) {
     return cross(corner.toNext, corner.toPrevious) / longest;
 }
 
-/// The direction that halves the sector.
+/// The direction that bisects the sector.
 Vec2 bisector(const Sector& sector) {
     const Vec2 from = glm::normalize(sector.corners.front().toNext);
     const double half = angleBetween(from, sector.corners.back().toPrevious) / 2;
@@ -45,7 +45,7 @@ void setApart(std::vector<Sector>& sectors, double gap) {
     const double wanted = gap * std::max(1.0, 1 / nearest);
     for (std::size_t s = 0; s < sectors.size(); ++s) {
         double length = wanted;
-        // A quarter each, for all three corners of a triangle may have to move.
+        // A quarter each, because all three corners of a triangle may have to move.
         for (const Corner& corner : sectors[s].corners)
             length = std::min(length, width(corner) / 4);
         sectors[s].offset = length * directions[s];

@@ -10,8 +10,8 @@
 
 namespace proveout {
 
-/// A corner of a triangle at the vertex in question: the triangle is (vertex, next, previous),
-/// counter-clockwise seen from +Z.
+/// A corner of a triangle at a given vertex: the triangle is (vertex, next, previous), counter-clockwise seen
+/// from +Z.
 struct Corner {
     std::size_t triangle = 0;
     int place = 0; ///< which of its three vertices
@@ -21,15 +21,15 @@ struct Corner {
     Vec2 toPrevious{0};
 };
 
-/// Corners that lie side by side, in counter-clockwise order: a fan of triangles round their vertex.
+/// Adjacent corners in counter-clockwise order: a fan of triangles around their vertex.
 struct Sector {
     std::vector<Corner> corners;
-    Vec2 offset{0}; ///< where the sector's own copy of the vertex goes, relative to the vertex
+    Vec2 offset{0}; ///< position of the sector's own copy of the vertex, relative to the vertex
 };
 
-/// Divides the corners at one vertex into sectors: the material round a vertex that touches itself there.
-/// Where there are two or more, their offsets set the copies apart by `gap`, each into its own sector.
-/// Offsets are cut short where triangles are so thin that a longer one would turn them over.
+/// Divides the corners at one vertex into sectors: the material around a vertex that touches itself there. If
+/// there are two or more, their offsets separate the copies by `gap`, each into its own sector. Offsets are
+/// shortened where triangles are so thin that a longer one would turn them over.
 [[nodiscard]] std::vector<Sector> sectorsAround(std::span<const Corner> corners, double gap);
 
 } // namespace proveout

@@ -1,35 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why the result is a closed 2-manifold.
 //
-// The stock is what lies between the floor and the surface, a graph over the rectangle of the map. Its
-// triangles in plan are a triangulation of the rectangle, so all that can go wrong happens where the surface
-// comes down to the floor.
+// The stock is the volume between the floor and the surface, a graph over the rectangle of the map. Its
+// triangles in plan are a triangulation of the rectangle, so problems can occur only where the surface comes
+// down to the floor.
 //
-// Above the floor everywhere: the boundary of the solid is surface, floor and four walls. The surface's
-// boundary runs once round the rectangle, each wall is a polygon between one side of that boundary and one
-// edge of the floor, and the polygons' triangles use each of their edges once. So every edge has two
+// Surface above the floor everywhere: the boundary of the solid is surface, floor and four walls. The
+// surface's boundary runs once around the rectangle, each wall is a polygon between one side of that boundary
+// and one edge of the floor, and the polygons' triangles use each of their edges once. So every edge has two
 // triangles, and every vertex one fan.
 //
-// On the floor somewhere:
-// 1. Triangles wholly on the floor are holes. The plan P of the others is a part of the triangulation.
-// 2. P touches itself where the triangles of P round a vertex form more than one fan (holes that meet in a
-// vertex,
-//    a hole that meets the edge of the map in one). Each fan gets a copy of the vertex, moved into the fan.
-//    Now the triangles round every vertex of P form one fan, closed inside and open at the boundary: P is a
-//    2-manifold with boundary. Two triangles that share an edge are in the same fan at both of its ends, so
-//    no edge is torn.
-// 3. The solid is P thickened: the surface over P, the floor under P with the same triangles the other way
-// round,
-//    and a wall of two triangles on each boundary edge. A 2-manifold with boundary, thickened, is bounded by
-//    a closed 2-manifold. That needs the two sheets apart everywhere, and they are so at all vertices, hence
-//    (both are linear over the same triangles) everywhere: where the surface is on the floor, the floor goes
-//    down by the gap. So a groove that touches the floor along a line or in a point keeps a skin of
-//    kPinchGap, and holes have a rim of that height. The heights of the surface stay as they were. Only the
-//    copies of 2 have moved, in plan and by the gap; the surface within the triangles that meet there differs
-//    from what was certified by no more than its slope times that gap.
+// Surface on the floor somewhere:
+// 1. Triangles entirely on the floor are holes. The plan P of the others is a part of the triangulation.
+// 2. P touches itself where the triangles of P around a vertex form more than one fan (holes that meet in a
+//    vertex, a hole that meets the edge of the map in one). Each fan gets a copy of the vertex, moved into
+//    the fan. Now the triangles around every vertex of P form one fan, closed inside and open at the
+//    boundary: P is a 2-manifold with boundary. Two triangles that share an edge are in the same fan at both
+//    of its ends, so no edge is torn.
+// 3. The solid is P thickened: the surface over P, the floor under P with the same triangles in the opposite
+//    orientation, and a wall of two triangles on each boundary edge. A 2-manifold with boundary, thickened,
+//    is bounded by a closed 2-manifold. That requires the two sheets to be apart everywhere, and they are so
+//    at all vertices, hence (both are linear over the same triangles) everywhere: where the surface is on the
+//    floor, the floor is lowered by the gap. So a groove that touches the floor along a line or in a point
+//    keeps a skin of kPinchGap, and holes have a rim of that height. The heights of the surface are
+//    unchanged. Only the copies of step 2 have moved, in plan and by the gap; the surface within the
+//    triangles that meet there differs from what was certified by no more than its slope times that gap.
 //
-// Heights less than the gap above the floor count as on it: float32, which STL has, could not hold them
-// apart.
+// Heights less than the gap above the floor count as on it: float32, which STL uses, could not separate them.
 #include "core/decimation/solid/solid.h"
 
 #include <algorithm>

@@ -12,10 +12,10 @@ namespace proveout {
 
 namespace {
 
-/// A vertex of a wall: along the wall from left to right seen from outside, and up.
+/// A vertex of a wall: the distance along the wall from left to right seen from outside, and the height.
 struct WallPoint {
     Vec2 exact{0};
-    Vec2 inFloat{0}; ///< as STL will have it
+    Vec2 inFloat{0}; ///< as STL will store it
     std::uint32_t vertex = 0;
 };
 
@@ -27,18 +27,18 @@ bool turnsLeft(const Vec2& a, const Vec2& b, const Vec2& c) {
     return plus - minus > kErr * (std::abs(plus) + std::abs(minus));
 }
 
-/// Whether the chain is convex at `ear`, before the rounding to float32 and after it: points in a straight
-/// line but for their last bits are convex in one of them only, and their triangle would face inwards in the
+/// Whether the chain is convex at `ear`, both before and after rounding to float32: points that are collinear
+/// except for their last bits may be convex in only one of them, and their triangle would face inwards in the
 /// other.
 bool isConvex(const WallPoint& before, const WallPoint& ear, const WallPoint& after) {
     return turnsLeft(before.exact, after.exact, ear.exact) &&
            turnsLeft(before.inFloat, after.inFloat, ear.inFloat);
 }
 
-/// Triangulates a wall: a monotone mountain, that is a chain over one straight base from `chain.front()` to
-/// `chain.back()`. A convex vertex of the chain can always be cut off, for nothing of the chain lies under
-/// its neighbours' connection but the base; and while the chain lies above its base it has a convex vertex.
-/// Vertices in a straight line are left for later, so that no triangle is without area.
+/// Triangulates a wall: a monotone mountain, that is, a chain over one straight base from `chain.front()` to
+/// `chain.back()`. A convex vertex of the chain can always be cut off, because only the base is below the
+/// connection of its neighbours; and a chain above its base always has a convex vertex. Collinear vertices
+/// are postponed, so that no triangle has zero area.
 void triangulateMountain(const std::vector<WallPoint>& chain, TriangleMesh& mesh) {
     std::vector<WallPoint> open;
     const auto cutOff = [&](const WallPoint& next) {
@@ -51,7 +51,8 @@ void triangulateMountain(const std::vector<WallPoint>& chain, TriangleMesh& mesh
             cutOff(point);
         open.push_back(point);
     }
-    // Only where float32 cannot hold the detail of the wall is anything left here; closed all the same.
+    // Something is left here only if float32 cannot represent the detail of the wall; it is closed all the
+    // same.
     const WallPoint last = open.back();
     open.pop_back();
     while (open.size() >= 2)
@@ -64,7 +65,8 @@ public:
 
     TriangleMesh build(std::vector<LatticeTriangle> surface, const WorkContext& context) {
         m_mesh.triangles = std::move(surface);
-        // Here, where a copy is all there is beside the list; a wall has a triangle a point at most.
+        // Reserved here, where only one copy exists beside the list; a wall has at most one triangle per
+        // point.
         m_mesh.triangles.reserve(m_mesh.triangles.size() + m_frame.outlinePoints() + kFloorTriangles);
         for (LatticeTriangle& triangle : m_mesh.triangles)
             for (std::uint32_t& corner : triangle)
@@ -90,7 +92,7 @@ public:
 private:
     static constexpr std::size_t kFloorTriangles = 2;
 
-    /// The corners counter-clockwise from the south-west; returns the first.
+    /// Adds the corners counter-clockwise from the south-west; returns the first.
     std::uint32_t addFloor(int east, int north) {
         const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
         for (const auto& [i, j] : {std::pair{0, 0}, {east, 0}, {east, north}, {0, north}})

@@ -8,8 +8,8 @@
 
 namespace proveout {
 
-/// closeSolid() where the surface touches the floor nowhere: two triangles of floor, and each wall one
-/// polygon whose lower edge is the floor's, so that walls and floor meet without a vertex in between.
+/// closeSolid() for a surface that does not touch the floor anywhere: two triangles of floor, and each wall
+/// is one polygon whose lower edge is the floor's, so that walls and floor meet without a vertex in between.
 [[nodiscard]] TriangleMesh closeAboveFloor(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
                                            const WorkContext& context);
 

@@ -16,20 +16,20 @@ namespace proveout {
 
 namespace {
 
-/// Triangles between two looks at the context: a few milliseconds of work.
+/// Triangles between two checks of the context: a few milliseconds of work.
 constexpr std::size_t kBatch = 8192;
 
 using Corners = std::array<Vec3, 3>;
 using Weights = std::array<double, 3>;
 
-/// Through memory on purpose: g++ 12 at -O2 drops a pair of vectorised conversions to float and back.
+/// Stored in memory on purpose: g++ 12 at -O2 drops a pair of vectorised conversions to float and back.
 double inFloat(double value) {
     const volatile float rounded = static_cast<float>(value);
     return static_cast<double>(rounded);
 }
 
-/// Twice the area of the triangle (p, a, b) in plan; nothing where p lies on the wrong side of the edge by
-/// more than this sum can err. So no point falls between two triangles.
+/// Twice the area of the triangle (p, a, b) in plan; nothing if p is on the wrong side of the edge by more
+/// than the error of this sum. So no point falls between two triangles.
 std::optional<double> weightOpposite(const Vec2& p, const Vec3& a, const Vec3& b) {
     constexpr double kErr = 4 * std::numeric_limits<double>::epsilon();
     const double plus = (a.x - p.x) * (b.y - p.y);
@@ -49,10 +49,10 @@ std::optional<Weights> weightsAt(const Vec2& p, const Corners& at) {
     return Weights{*a, *b, *c};
 }
 
-/// Where the grid points lie along one axis, and which of them a stretch of it may hold.
+/// The positions of the grid points along one axis, and which of them an interval of it may contain.
 class Axis {
 public:
-    /// `outline`: the ends as the file holds them. Points beyond are moved there.
+    /// `outline`: the ends as the file holds them. Points beyond the ends are moved to them.
     Axis(int count, double start, double spacing, const Vec2& outline)
         : m_start(start), m_spacing(spacing), m_positions(static_cast<std::size_t>(count)) {
         for (std::size_t i = 0; i < m_positions.size(); ++i)
@@ -79,7 +79,7 @@ private:
     std::vector<double> m_positions;
 };
 
-/// The stretch of the line at `y` that a triangle covers in plan; empty (x > y) where it does not.
+/// The part of the line at `y` that a triangle covers in plan; empty (x > y) if there is none.
 Vec2 stretchAt(double y, const Corners& at) {
     Vec2 stretch(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < at.size(); ++k) {
@@ -114,7 +114,7 @@ public:
                 m_largest =
                     std::max(m_largest, m_full.distanceAlong(inCells(at[k]), inCells(at[(k + 1) % 3])));
         const auto [low, high] = std::minmax({at[0].y, at[1].y, at[2].y});
-        // Two triangles may cover the whole map.
+        // Checked in every row, because two triangles may cover the whole map.
         for (std::size_t j = m_rows.firstFrom(low); j <= m_rows.lastTo(high) && !m_stop.stop_requested();
              ++j) {
             const Vec2 stretch = stretchAt(m_rows[j], at);
@@ -150,7 +150,7 @@ private:
                static_cast<double>(m_zmap.height(static_cast<int>(i), static_cast<int>(j)));
     }
 
-    /// As CanonicalSurface wants it.
+    /// In the coordinates of CanonicalSurface.
     [[nodiscard]] Vec3 inCells(const Vec3& at) const {
         const Grid& grid = m_zmap.grid();
         return {(at.x - grid.x0) / grid.hx, (at.y - grid.y0) / grid.hy, at.z - m_zmap.stock().topZ()};
@@ -165,7 +165,7 @@ private:
         if (area <= 0)
             return;
         m_covered[j * m_columns.size() + i] = true;
-        // Divided first: at a corner one share is exactly 1, and the surface is exactly its height.
+        // Divided first: at a corner one share is exactly 1, so that the surface is exactly its height.
         const double surface = a / area * at[0].z + b / area * at[1].z + c / area * at[2].z;
         m_largest = std::max(m_largest, std::abs(surface - height(i, j)));
     }

@@ -11,12 +11,12 @@ namespace proveout {
 /// A point as a file with such coordinates holds it.
 [[nodiscard]] Vec3 roundedTo(CoordinateType type, const Vec3& point);
 
-/// How far the z-map lies from the top of a solid, mm: the largest vertical distance of a grid point (at the
-/// surface level: of any place of the canonical full mesh) to the triangles that face upwards, with
-/// coordinates rounded to `type`. Points on the outline of the stock, which
-/// is rounded too, are measured at the nearest point of the rounded one. Where no triangle is, nothing is
-/// left of the solid: there the floor counts as its top. Knows nothing of how the solid came about. Any
-/// thread; a stopped context returns early, with what was found so far.
+/// How far the z-map is from the top of a solid, mm: the largest vertical distance of a grid point (at the
+/// surface level: of any point of the canonical full mesh) to the triangles that face upwards, with
+/// coordinates rounded to `type`. Points on the outline of the stock, which is rounded too, are measured at
+/// the nearest point of the rounded one. Where there is no triangle, nothing of the solid is left, and the
+/// floor counts as its top. It is independent of how the solid was made. Any thread; a stopped context
+/// returns early, with the result up to that point.
 [[nodiscard]] double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid,
                                        CoordinateType type, ErrorLevel level,
                                        const WorkContext& context = {});

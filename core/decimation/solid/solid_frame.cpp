@@ -9,7 +9,7 @@ namespace proveout {
 
 namespace {
 
-/// A gap that is still one after both its ends were rounded to float32.
+/// A gap that remains after both its ends are rounded to float32.
 double gapAt(double a, double b) {
     constexpr double kSteps = 4;
     const double step =

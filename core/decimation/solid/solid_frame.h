@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From lattice to program coordinates, with what a solid needs to know of its floor. Inside the room only.
+// Converts lattice to program coordinates, and answers what a solid needs to know about its floor. Internal
+// to this library.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ public:
     [[nodiscard]] std::size_t points() const {
         return static_cast<std::size_t>(nx()) * static_cast<std::size_t>(ny());
     }
-    /// On the four sides of the map, corners twice.
+    /// The number of points on the four sides of the map, corners counted twice.
     [[nodiscard]] std::size_t outlinePoints() const {
         return 2 * (static_cast<std::size_t>(nx()) + static_cast<std::size_t>(ny()));
     }
@@ -41,10 +42,10 @@ public:
     /// The point of the surface over a grid point.
     [[nodiscard]] Vec3 top(std::uint32_t lattice) const;
     [[nodiscard]] double floorZ() const { return m_zmap->stock().floorZ(); }
-    /// Whether the surface is so near the floor here that the two could not be told apart.
+    /// Whether the surface is so near the floor here that the two could not be distinguished.
     [[nodiscard]] bool onFloor(std::uint32_t lattice) const;
 
-    /// kPinchGap, or more where float32 (which STL has) would not hold that: in height, and in plan.
+    /// kPinchGap, or more if float32 (which STL uses) could not hold it: in height, and in plan.
     [[nodiscard]] double gapZ() const { return m_gapZ; }
     [[nodiscard]] double gapXY() const { return m_gapXY; }
 

@@ -25,7 +25,7 @@ struct CornerPlace {
     friend auto operator<=>(const CornerPlace&, const CornerPlace&) = default;
 };
 
-/// Where a vertex that touched others was moved in plan.
+/// The position in plan to which a vertex that touched others was moved.
 struct MovedVertex {
     std::uint32_t vertex = 0;
     Vec2 offset{0};
@@ -39,8 +39,8 @@ struct PlanEdge {
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> undirected() const { return std::minmax(from, to); }
 };
 
-/// Memory is what limits the size of solids: the list of the surface becomes that of the plan and then of the
-/// solid, and lists grow once, to the size that was counted.
+/// Memory limits the size of solids: the list of the surface becomes that of the plan and then of the solid,
+/// and lists grow once, to the counted size.
 class OnFloor {
 public:
     explicit OnFloor(const SolidFrame& frame) : m_frame(frame) {}
@@ -60,8 +60,8 @@ public:
         context.report(0.8);
         if (context.stopped())
             return {};
-        // Room for all triangles while little else is there; they are added once the list of what was moved
-        // has gone.
+        // Memory for all triangles is reserved while few other lists exist; the triangles are added once the
+        // list of moved vertices has been freed.
         m_mesh.triangles.reserve(2 * (m_mesh.triangles.size() + boundary.size()));
         addVertices();
         m_moved = {};
@@ -83,7 +83,7 @@ private:
         });
     }
 
-    /// From lattice indices to plan vertices: the triangles hold the latter from here on.
+    /// Replaces lattice indices in the triangles by plan vertices.
     void numberVertices() {
         LatticeNumbers numbers(m_frame.points());
         for (LatticeTriangle& triangle : m_mesh.triangles)
@@ -92,7 +92,7 @@ private:
         m_plan = std::move(numbers).releaseUsed();
     }
 
-    /// Only beside a hole can the material round a vertex fall apart into sectors.
+    /// Only beside a hole can the material around a vertex split into sectors.
     void splitPinches() {
         const std::vector<CornerPlace> corners = cornersAtHoles();
         std::vector<Corner> around;
@@ -107,7 +107,7 @@ private:
         m_moved.shrink_to_fit();
     }
 
-    /// By vertex, and in the order of the triangles there.
+    /// Sorted by vertex, and at each vertex in the order of the triangles.
     [[nodiscard]] std::vector<CornerPlace> cornersAtHoles() const {
         const auto forEachCorner = [this](auto&& take) {
             for (std::uint32_t t = 0; t < m_mesh.triangles.size(); ++t)
@@ -132,7 +132,7 @@ private:
         return {t, place, at(1), at(2), m_frame.plan(at(1)) - here, m_frame.plan(at(2)) - here};
     }
 
-    /// The first sector keeps the vertex, each other gets a copy of its own.
+    /// The first sector keeps the vertex; each other sector gets its own copy.
     void split(std::uint32_t vertex, std::span<const Corner> corners) {
         const auto sectors = sectorsAround(corners, m_frame.gapXY());
         if (sectors.size() < 2)
@@ -147,7 +147,7 @@ private:
         }
     }
 
-    /// Whether the boundary of the plan may pass through a vertex: looking at the few edges between such
+    /// Whether the boundary of the plan may pass through a vertex: checking only the few edges between such
     /// vertices saves sorting all edges of the mesh.
     [[nodiscard]] bool mayBeBoundary(std::uint32_t vertex) const {
         const std::uint32_t lattice = m_plan[vertex];
@@ -156,14 +156,14 @@ private:
         return m_atHole[lattice] || i == 0 || j == 0 || i == m_frame.nx() - 1 || j == m_frame.ny() - 1;
     }
 
-    /// The edges with a triangle on one side only.
+    /// The edges with a triangle on only one side.
     [[nodiscard]] std::vector<PlanEdge> boundaryOfPlan() const {
         std::vector<PlanEdge> edges = edgesThatMayBeBoundary();
         std::sort(edges.begin(), edges.end(),
                   [](const PlanEdge& a, const PlanEdge& b) { return a.undirected() < b.undirected(); });
         std::size_t kept = 0;
         for (std::size_t e = 0; e < edges.size(); ++e) {
-            // An edge between two triangles comes twice.
+            // An edge between two triangles occurs twice.
             if (e + 1 < edges.size() && edges[e].undirected() == edges[e + 1].undirected())
                 ++e;
             else
@@ -194,7 +194,8 @@ private:
         return vertex + static_cast<std::uint32_t>(m_plan.size());
     }
 
-    /// The top sheet is there; the floor repeats it the other way round, and each boundary edge has a wall.
+    /// The top sheet exists already; the floor repeats it in the opposite orientation, and each boundary edge
+    /// gets a wall.
     void addTriangles(const std::vector<PlanEdge>& boundary) {
         std::vector<LatticeTriangle>& triangles = m_mesh.triangles;
         const std::size_t top = triangles.size();
@@ -208,7 +209,7 @@ private:
         }
     }
 
-    /// The top sheet's vertices, then the floor's in the same order.
+    /// The top sheet's vertices, followed by the floor's in the same order.
     void addVertices() {
         std::vector<Vec3>& vertices = m_mesh.vertices;
         vertices.reserve(2 * m_plan.size());
@@ -225,7 +226,7 @@ private:
 
     const SolidFrame& m_frame;
     std::vector<bool> m_atHole;        ///< per grid point
-    std::vector<std::uint32_t> m_plan; ///< the grid point of each vertex; pinched ones come more than once
+    std::vector<std::uint32_t> m_plan; ///< the grid point of each vertex; split vertices occur more than once
     std::vector<MovedVertex> m_moved;
     TriangleMesh m_mesh; ///< its triangles are those of the plan, until the floor is added
 };

@@ -8,8 +8,8 @@
 
 namespace proveout {
 
-/// closeSolid() where the surface touches the floor: triangles wholly on the floor are holes, and the floor
-/// repeats the triangles that are left. Empty where none is.
+/// closeSolid() for a surface that touches the floor: triangles entirely on the floor are holes, and the
+/// floor repeats the remaining triangles. Empty if there are none.
 [[nodiscard]] TriangleMesh closeOnFloor(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
                                         const WorkContext& context);
 

@@ -10,13 +10,13 @@
 
 namespace proveout {
 
-/// Decimators that wait for work, so that their storage lives as long as the surface (paper §4.1). Any
-/// thread may borrow one; there are never more than were at work at the same time.
+/// Decimators that are kept for reuse, so that their storage lives as long as the surface (paper §4.1). Any
+/// thread may borrow one; the pool never holds more than were in use at the same time.
 class DecimatorPool {
 public:
     struct Worker {
         std::unique_ptr<RegionDecimator> decimator;
-        std::vector<float> heights; ///< samples of the region at work
+        std::vector<float> heights; ///< samples of the current region
     };
 
     /// A worker borrowed until the end of the scope.

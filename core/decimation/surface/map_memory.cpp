@@ -12,13 +12,13 @@ namespace proveout {
 
 namespace {
 
-// Bytes a point. Measured: peaks of runs on maps of noise, of which no triangle can be removed, and on maps
-// that come down to the floor at every other point (tests/bench/memory_table).
-constexpr double kLayer = 25;    ///< each time that regions are merged: what they were made of is kept
-constexpr double kMeasured = 30; ///< all triangles once more, and the distances of the points
-constexpr double kSolid = 135;   ///< with the list of the triangles that becomes its own
-constexpr double kAgain = 13;    ///< two maps and 4 bytes a mark
-/// A region with its borders and its places in arrays, whatever the triangles; measured on planes.
+// Bytes per point. Measured: peaks of runs on maps of noise, in which no triangle can be removed, and on maps
+// that reach the floor at every other point (tests/bench/memory_table).
+constexpr double kLayer = 25;    ///< for each merge of regions: the meshes that were merged are kept
+constexpr double kMeasured = 30; ///< all triangles a second time, and the distances of the points
+constexpr double kSolid = 135;   ///< including the list of triangles that becomes its own
+constexpr double kAgain = 13;    ///< two maps and 4 bytes per mark
+/// A region with its borders and its entries in arrays, without triangles; measured on planes.
 constexpr double kRegion = 500;
 
 bool decimates(const DecimationParameters& parameters) {
@@ -37,7 +37,7 @@ bool decimatesWhole(const DecimationParameters& parameters, const MapOutputs& ou
     return decimates(parameters) && outputs.whole;
 }
 
-/// How often regions are merged until blocks of them have so many cells along a side.
+/// How often regions are merged until blocks of them have this many cells along a side.
 int layers(int cells, int mostCells) {
     int count = 0;
     for (; 2 * cells <= mostCells; cells *= 2)
@@ -45,7 +45,7 @@ int layers(int cells, int mostCells) {
     return count;
 }
 
-/// Of the regions by themselves, and while they are made.
+/// For the regions alone, and while they are made.
 double regionBytesPerPoint(const DecimationParameters& parameters) {
     const DecimationMethodRow& method = row(parameters.method);
     if (method.wholeMap)
@@ -56,7 +56,7 @@ double regionBytesPerPoint(const DecimationParameters& parameters) {
 } // namespace
 
 double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
-    const bool whole = decimatesWhole(parameters, outputs) && !outputs.solid; // whose triangles a solid takes
+    const bool whole = decimatesWhole(parameters, outputs) && !outputs.solid; // a solid reuses its triangles
     return (followsSchedule(parameters, outputs) ? regionBytesPerPoint(parameters) : 0) +
            (whole ? regionBytesPerPoint(parameters) : 0);
 }
@@ -85,7 +85,7 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
         return failure(decimation_finding::kMethodMapTooLarge,
                        {kMethodChoices[static_cast<std::size_t>(parameters.method)].key,
                         fmt::format("{:.0f}", most), fmt::format("{:.0f}", points)});
-    DecimationParameters coarser = parameters; // on which defaultRegion() is smaller
+    DecimationParameters coarser = parameters; // for which defaultRegion() is smaller
     coarser.regionCells = std::min(parameters.regionCells, row(parameters.method).defaultRegion);
     return checkMemory(stock, grid, limitBytes, meshBytesPerPoint(parameters, outputs),
                        meshBytesPerPoint(coarser, outputs));
@@ -94,7 +94,8 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
 double bytesAtRest(const DecimationParameters& parameters, const Grid& grid, std::size_t faces) {
     constexpr double kWorkers = 32e6;
     constexpr double kFace = 12.5;
-    // Everywhere instead of at the points: at most so many faces more were seen, on steep walls.
+    // Within the allowance everywhere instead of at the points: on steep walls, up to this many times as many
+    // faces were seen.
     constexpr double kMoreFaces = 1.4;
     const double regions = pointsOf(grid) / (parameters.regionCells * parameters.regionCells);
     const int meshes = 1 + layers(parameters.regionCells, RefinedSurface::kMostCells);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a map and what is made of it fit, before any of it is taken.
+// Whether a map and what is made from it fit into memory, before any of it is allocated.
 #pragma once
 
 #include <cstddef>
@@ -10,33 +10,34 @@
 
 namespace proveout {
 
-/// What is made of a map beside cutting it.
+/// What is made from a map in addition to cutting it.
 struct MapOutputs {
     bool schedule = true; ///< regions that are decimated while it is cut
-    bool whole = false;   ///< all of it decimated in the end (decimatedWhole()), and measured
-    bool solid = false;   ///< that, or the full mesh where there is none, closed and written to files
-    bool again = false;   ///< the map is kept uncut, and cut once more with a mark a point
+    bool whole = false;   ///< the whole map is decimated at the end (decimatedWhole()) and measured
+    bool solid = false;   ///< the decimated or else the full mesh, closed and written to files
+    bool again = false;   ///< the map is kept uncut, and cut a second time with a mark per point
 };
 
-/// Bytes a point of the grid that the meshes take at most, also where no triangle can be removed and the
+/// Bytes per point of the grid that the meshes need at most, even if no triangle can be removed and the
 /// surface comes down to the floor everywhere.
 [[nodiscard]] double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
 
-/// The same of the meshes that remain once everything is made.
+/// The same for the meshes that remain once everything is made.
 [[nodiscard]] double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
 
-/// The most bytes that a map and what is made of it take at a time.
+/// The largest number of bytes that a map and what is made from it need at any one time.
 [[nodiscard]] double mapBytes(const Grid& grid, const DecimationParameters& parameters,
                               const MapOutputs& outputs);
 
-/// Refuses a grid whose map and meshes need more than `limitBytes` (checkMemory() of core/zmap), or that is
-/// larger than the method can count.
+/// Refuses a grid whose map and meshes need more than `limitBytes` (checkMemory() of core/zmap), or that has
+/// more points than the method can count.
 [[nodiscard]] Result<void> checkMapMemory(const StockBox& stock, const Grid& grid,
                                           const DecimationParameters& parameters, const MapOutputs& outputs,
                                           double limitBytes);
 
-/// Bytes that a RefinedSurface takes beside one of the same regions that has `faces` while it is cut. Noise
-/// takes six times what the map does, machined parts a tenth: so this asks what is there, not the worst.
+/// Bytes that a RefinedSurface needs in addition to a surface of the same regions that has `faces` during
+/// cutting. Noise needs six times as much as the map, machined parts a tenth: so this uses the actual number
+/// of faces, not the worst case.
 [[nodiscard]] double bytesAtRest(const DecimationParameters& parameters, const Grid& grid, std::size_t faces);
 
 } // namespace proveout

@@ -38,10 +38,10 @@ constexpr std::array<std::string_view, 6> kGlobalFields{"period",  "allowance", 
 
 constexpr double kMostPoints = std::numeric_limits<std::int32_t>::max();
 
-// In the order of DecimationMethod. A mesh of the paper's has six half-edges a point, and counts them by int.
-// Regions of the certified method are small, because a cut that touches one costs all of it; at rest they are
-// merged. The paper's figures stand on regions of 8 × 8 cells and a period of 20; its global decimation
-// follows every movement of the tool (§2.1).
+// In the order of DecimationMethod. A mesh of the paper's method has six half-edges per point and counts them
+// by int. Regions of the certified method are small, because a cut that touches one invalidates all of it;
+// when cutting pauses they are merged. The paper's figures use regions of 8 × 8 cells and a period of 20; its
+// global decimation follows every movement of the tool (§2.1).
 constexpr std::array kMethods{
     DecimationMethodRow{DecimationMethod::certified, false, 16, 5, 25, kMostPoints, createCertified,
                         certifiedBorderLine, kCertifiedFields},

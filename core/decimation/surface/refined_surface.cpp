@@ -20,10 +20,10 @@ struct RefinedSurface::Worker {
 
 namespace {
 
-/// What regions by themselves cost of the whole, as measured where none was known before.
+/// The share of the regions themselves in the total time, as measured for a first run.
 constexpr double kShareOfRegions = 0.4;
 
-/// Stands for the regions of a merged block but its first.
+/// The mesh of the regions of a merged block other than its first.
 const RegionMeshPtr& nothingLeft() {
     static const auto mesh = std::make_shared<const RegionMesh>();
     return mesh;
@@ -65,10 +65,10 @@ bool RefinedSurface::follow(const ZMapSnapshot& moment, std::span<const std::siz
     return true;
 }
 
-/// Points that a border kept for one of its regions may not be needed any more once that is decimated again.
-/// So all regions that such borders join begin anew, without these points; and where a region beyond them
-/// turns out to need one, it joins them and all begin again. The outcome is that of a surface where all
-/// regions do.
+/// Points that a border kept for one of its regions may become unnecessary once that region is decimated
+/// again. So all regions connected by such borders are decimated again without these points; if a region
+/// beyond them turns out to need one, it joins them and all start again. The result is the same as if all
+/// regions of a surface were decimated together.
 bool RefinedSurface::redecimate(const ZMapSnapshot& moment, const WorkContext& context) {
     m_isTogether.resize(grid().regionCount());
     const auto join = [this](std::size_t region) {
@@ -101,7 +101,7 @@ bool RefinedSurface::redecimate(const ZMapSnapshot& moment, const WorkContext& c
     return true;
 }
 
-/// Joins the regions that borders with extra points connect with those that are joined already.
+/// Adds the regions that borders with extra points connect to those that are joined already.
 void RefinedSurface::spreadAlongExtras(const SurfaceSnapshot& shown) {
     for (std::size_t k = 0; k < m_together.size(); ++k) {
         for (const std::size_t border : grid().borders(m_together[k])) {
@@ -118,7 +118,7 @@ void RefinedSurface::spreadAlongExtras(const SurfaceSnapshot& shown) {
     }
 }
 
-/// The mesh that covers a block of the layer below `layer` (a region below the first).
+/// The mesh that covers a block of the layer below `layer` (a region, below the first layer).
 RegionMeshPtr RefinedSurface::meshBelow(std::size_t layer, int bx, int by) const {
     if (layer == 0)
         return m_surface.mesh(grid().regionAt(bx, by));
@@ -203,10 +203,10 @@ void RefinedSurface::assemble() {
     m_merged = std::move(shown);
 }
 
-/// Shows a block of the layer below `layer` as one mesh, or what it is made of.
+/// Shows a block of the layer below `layer` as one mesh, or as its parts.
 void RefinedSurface::cover(SurfaceSnapshot& shown, std::size_t layer, int bx, int by) const {
     if (layer == 0)
-        return; // a region, shown as it is
+        return; // a region, shown unmerged
     const Layer& own = m_layers[layer - 1];
     const RegionMeshPtr& mesh = own.blocks[static_cast<std::size_t>(by * own.blocksX + bx)].mesh;
     if (!mesh) {
@@ -245,7 +245,7 @@ SurfaceSnapshot wholeSurface(const ZMapSnapshot& zmap, const DecimationParameter
 SurfaceSnapshot decimatedWhole(const ZMapSnapshot& zmap, const DecimationParameters& parameters,
                                const WorkContext& context) {
     SurfaceSnapshot surface = wholeSurface(zmap, parameters, context);
-    returnFreedMemory(); // of what was merged, twice as much as is left
+    returnFreedMemory(); // the parts that were merged had twice as much as remains
     return surface;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The best picture of a z-map that rests: within the allowance everywhere, and neighbouring regions merged.
+// The best surface of a z-map that is not being cut: within the allowance everywhere, and with neighbouring
+// regions merged.
 #pragma once
 
 #include <array>
@@ -11,16 +12,16 @@
 
 namespace proveout {
 
-/// A surface of the certified method, at the level of its parameters, on which quads of regions are one mesh,
-/// quads of these again, and so on up to a number of cells along a side. It is a function of z-map and
-/// parameters, whatever moments it followed before: what did not change is kept, not what was there. Owned by
-/// one thread.
+/// A surface of the certified method, at the level of its parameters, in which four neighbouring regions
+/// become one mesh, four of these again, and so on up to a number of cells along a side. It is a function of
+/// z-map and parameters, independent of the snapshots that it followed before: meshes are kept only where
+/// nothing changed. Owned by one thread.
 class RefinedSurface {
 public:
-    /// Floats hold the products of coordinates exactly up to here, and rows of the row scan.
+    /// Up to here floats hold the products of coordinates and the rows of the row scan exactly.
     static constexpr int kMostCells = 1024;
-    /// Blocks with more are left in parts: there is little to gain, and a wish to stop would wait for their
-    /// loading.
+    /// Blocks with more triangles stay in parts: there is little to gain, and a stop request would have to
+    /// wait for their loading.
     static constexpr std::size_t kMostTriangles = 200'000;
 
     RefinedSurface() = default;
@@ -31,20 +32,19 @@ public:
 
     [[nodiscard]] const RegionGrid& grid() const { return m_surface.grid(); }
 
-    /// Follows the z-map to a moment that differs from the one followed before in the regions `changed` at
-    /// most. False where it was stopped: it is to be called again with what changed since, and has no
-    /// snapshot until it succeeds.
+    /// Updates to a snapshot that differs from the previous one at most in the regions `changed`. False if it
+    /// was stopped: call it again with the regions changed since; there is no snapshot until it succeeds.
     [[nodiscard]] bool follow(const ZMapSnapshot& moment, std::span<const std::size_t> changed,
                               const WorkContext& context = {});
 
-    /// Of the last moment followed. The mesh of a merged block stands at its first region; the meshes of its
-    /// other regions have no triangles.
+    /// The result for the last snapshot followed. The mesh of a merged block is stored at its first region;
+    /// the meshes of its other regions have no triangles.
     [[nodiscard]] const SurfaceSnapshot& snapshot() const { return m_merged; }
 
 private:
     /// A block of up to 2 × 2 blocks of the layer below.
     struct Block {
-        std::array<RegionMeshPtr, 4> parts; ///< what its mesh was made of
+        std::array<RegionMeshPtr, 4> parts; ///< the meshes that were merged
         RegionMeshPtr mesh;                 ///< null: stays in parts
     };
     struct Layer {
@@ -65,16 +65,16 @@ private:
     void assemble();
     void cover(SurfaceSnapshot& shown, std::size_t layer, int bx, int by) const;
 
-    Surface m_surface; ///< every region by itself
+    Surface m_surface; ///< the unmerged regions
     std::vector<std::size_t>
-        m_together;                 ///< regions that are to be decimated together, from their own borders
+        m_together;                 ///< regions that are decimated together, starting from their own borders
     std::vector<bool> m_isTogether; ///< per region
     std::vector<Layer> m_layers;
     SurfaceSnapshot m_merged;
 };
 
 /// The surface of a z-map with every region decimated, for files: regions of the certified method are merged
-/// as far as rounding to single precision allows. Stopped, what it returns is no surface.
+/// as far as rounding to single precision allows. After a stop the result is not a valid surface.
 [[nodiscard]] SurfaceSnapshot decimatedWhole(const ZMapSnapshot& zmap, const DecimationParameters& parameters,
                                              const WorkContext& context = {});
 

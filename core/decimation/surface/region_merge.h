@@ -12,14 +12,14 @@
 
 namespace proveout {
 
-/// Makes one mesh of the certified meshes of neighbouring regions: what they had to keep along the borders
-/// between them goes where the allowance lets it. The outline stays as it is but for the edge of the map, so
-/// neighbours need not know. Owned by one thread; keeps its storage.
+/// Merges the certified meshes of neighbouring regions into one: vertices that they had to keep along their
+/// common borders are removed where the allowance permits it. The outline stays unchanged except at the edge
+/// of the map, so neighbours are not affected. Owned by one thread; keeps its storage.
 class RegionMerge {
 public:
-    /// `parts` are the meshes (no null among them) that together cover `samples.rect` once; `split` is the
-    /// lattice point of the patch where their borders meet. Null where floats are too coarse for the heights
-    /// of the whole, or where it was stopped.
+    /// `parts` are the meshes (not null) that together cover `samples.rect` once; `split` is the lattice
+    /// point of the patch where their borders meet. Null if floats are too coarse for the heights of the
+    /// whole, or if it was stopped.
     [[nodiscard]] RegionMeshPtr merge(const RegionGrid& grid, const RegionSamples& samples,
                                       std::span<const RegionMeshPtr> parts, std::array<int, 2> split,
                                       const DecimationParameters& parameters, const std::stop_token& stop);
@@ -32,7 +32,7 @@ private:
     LatticeTriangulation m_mesh;
     VertexRemoval m_removal;
     std::vector<PatchVertex> m_vertices;
-    std::vector<std::int32_t> m_vertexAt; ///< per point of the patch; -1: no vertex
+    std::vector<std::int32_t> m_vertexAt; ///< per point of the patch; -1: not a vertex
     std::vector<std::array<std::int32_t, 3>> m_triangles;
     std::vector<std::int32_t> m_seeds;
 };

@@ -16,7 +16,7 @@ namespace proveout {
 
 namespace {
 
-// Families of seeds: a border and a region of the same index must not share their random order.
+// Families of seeds: a border and a region with the same index must not have the same random order.
 constexpr std::uint64_t kBorderSeeds = 1;
 constexpr std::uint64_t kRegionSeeds = 2;
 
@@ -114,7 +114,7 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
     const bool decimates = row(m_parameters.method).create != nullptr && m_parameters.allowance > 0;
     if (!decimates || regions.empty() || context.stopped())
         return 0;
-    // Borders first: each by its own samples, so that both its regions find the same polyline.
+    // Borders first: each by its own samples, so that both its regions get the same polyline.
     if (m_parameters.borders == BorderRule::shared)
         drawMissingBorders(regions, moment, {}, context);
 
@@ -138,7 +138,8 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
     }
     const auto done = static_cast<std::size_t>(
         std::count_if(regions.begin(), regions.end(), [&](std::size_t region) { return !isDirty(region); }));
-    for (const std::size_t region : worked) // stopped: no border stays drawn between two dirty regions
+    for (const std::size_t region : worked) // stopped: no border may stay simplified between two dirty
+                                            // regions
         if (isDirty(region))
             for (const std::size_t border : grid().borders(region))
                 releaseBorderIfUnused(border);
@@ -155,16 +156,17 @@ std::vector<RegionMeshPtr> Surface::decimateBatch(std::span<const std::size_t> r
             return;
         RegionMeshPtr mesh = decimated(regions[k], moment, context.stop);
         if (context.stopped())
-            return; // perhaps in the middle of the region
+            return; // perhaps in the middle of a region
         meshes[k] = std::move(mesh);
         tally.finished();
     });
     return meshes;
 }
 
-/// Draws borders with more points than before, and returns the regions at them, dirty now, that are to be
-/// decimated with those: of the dirty ones only those `worked` on, as asked for or since their borders
-/// changed. Points only ever come: it ends, in practice after two or three rounds.
+/// Draws borders with more points than before, and returns the regions at them, now dirty, that must be
+/// decimated with these points: of the regions that were already dirty, only those in `worked`, which were
+/// requested or whose borders changed. Points are only ever added, so it ends, in practice after two or three
+/// rounds.
 std::vector<std::size_t> Surface::redraw(ExtrasOfBorders wanted, const std::set<std::size_t>& worked,
                                          const ZMapSnapshot& moment, const WorkContext& context) {
     std::vector<std::size_t> regions;
@@ -204,7 +206,7 @@ std::vector<std::size_t> Surface::dirtyList() const {
     return regions;
 }
 
-/// A stopped context leaves some out; no region is decimated then either.
+/// With a stopped context some borders are skipped; no region is decimated then either.
 void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
                                  const ExtrasOfBorders& extras, const WorkContext& context) {
     std::vector<std::size_t> missing;

@@ -19,7 +19,7 @@ namespace proveout {
 
 class DecimatorPool;
 
-/// One immutable moment of the surface; any thread. Equal pointers of two moments mean equal meshes.
+/// An immutable snapshot of the surface; any thread. Equal pointers of two snapshots mean equal meshes.
 struct SurfaceSnapshot {
     RegionGrid grid;
     PersistentArray<RegionMeshPtr> meshes;  ///< per region; null: drawn from the z-map
@@ -29,19 +29,19 @@ struct SurfaceSnapshot {
     std::size_t dirtyRegions = 0;           ///< regions drawn from the z-map
 
     [[nodiscard]] std::array<BorderLinePtr, 4> regionBorders(std::size_t region) const;
-    /// The triangles that a region shows in this moment.
+    /// The triangles that a region shows in this snapshot.
     [[nodiscard]] std::vector<LatticeTriangle> triangles(std::size_t region) const;
     /// The triangles of all regions, in the order of the regions.
     [[nodiscard]] std::vector<LatticeTriangle> triangles() const;
-    /// The same, for what takes as much memory itself: only the counts are left in the snapshot, and what no
-    /// other one shares is given back to the system.
+    /// The same, for a caller that needs as much memory itself: only the counts remain in the snapshot, and
+    /// memory that is not shared is returned to the system.
     [[nodiscard]] std::vector<LatticeTriangle> releaseTriangles();
-    /// The largest measured error of the regions that are decimated, mm.
+    /// The largest measured error of the decimated regions, mm.
     [[nodiscard]] double largestError() const;
 };
 
 /// The surface that follows a z-map. Owned by one thread. A border is drawn as its polyline while at least
-/// one of its regions is decimated, so that no crack opens at any moment; corners stay.
+/// one of its regions is decimated, so that there is never a crack; corners stay.
 class Surface {
 public:
     Surface() = default;
@@ -52,30 +52,30 @@ public:
     [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
 
     /// Paper §3, step 2: regions with a point in `changed` are drawn from the z-map from now on. Returns how
-    /// many were decimated before.
+    /// many of them were decimated before.
     std::size_t touch(const IndexRect& changed);
     /// The same for one region.
     void touchRegion(std::size_t region);
-    /// Null where the region is dirty.
+    /// Null if the region is dirty.
     [[nodiscard]] const RegionMeshPtr& mesh(std::size_t region) const { return m_state.meshes[region]; }
     [[nodiscard]] bool isDirty(std::size_t region) const { return m_state.meshes[region] == nullptr; }
     [[nodiscard]] std::size_t dirtyRegions() const { return m_state.dirtyRegions; }
     [[nodiscard]] std::size_t faces() const { return m_state.faces; }
     [[nodiscard]] std::size_t facesFull() const { return m_state.facesFull; }
 
-    /// Regions keep to allowances of their own from now on: to what a view can stand, mm, region by region,
-    /// but no less than the allowance of the parameters (see RegionAllowances). Regions made within others
-    /// are drawn from the z-map until they are decimated again; returns them, ascending.
+    /// From now on each region has its own allowance: what a view tolerates, mm, per region, but no less than
+    /// the allowance of the parameters (see RegionAllowances). Regions made with other allowances are drawn
+    /// from the z-map until they are decimated again; returns them, ascending.
     std::vector<std::size_t> followView(std::span<const double> allowances);
     /// mm.
     [[nodiscard]] double allowance(std::size_t region) const { return m_allowances.region(region); }
 
     /// Paper §3, step 4: decimates every dirty region of `moment` (in parallel), borders first. Does nothing
-    /// for method none or an allowance of 0. Returns how many regions were decimated. A stopped context
-    /// leaves those that were not reached dirty.
+    /// for method none or an allowance of 0. Returns how many regions were decimated. With a stopped context,
+    /// regions that were not reached stay dirty.
     std::size_t decimateDirty(const ZMapSnapshot& moment, const WorkContext& context = {});
 
-    /// The same for some dirty regions, ascending; the others stay as they are.
+    /// The same for some dirty regions, ascending; the others stay unchanged.
     std::size_t decimateRegions(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
                                 const WorkContext& context = {});
 
@@ -83,7 +83,7 @@ public:
 
 private:
     [[nodiscard]] std::vector<std::size_t> dirtyList() const;
-    /// Extra points that borders are to keep, ascending.
+    /// Extra points that borders must keep, ascending.
     using ExtrasOfBorders = std::map<std::size_t, std::vector<std::uint32_t>>;
     void drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
                             const ExtrasOfBorders& extras, const WorkContext& context);

@@ -9,8 +9,8 @@
 
 namespace proveout {
 
-/// Counts jobs that any thread finishes; tells of them on the thread that made the tally, which takes its
-/// share of the jobs. The context must outlive it.
+/// Counts jobs that any thread finishes and reports progress on the thread that made the tally, which does a
+/// share of the jobs itself. The context must outlive it.
 class Tally {
 public:
     Tally(const WorkContext& context, std::size_t jobs) : m_context(context), m_jobs(jobs) {}

@@ -15,7 +15,8 @@ using enum CycleStep;
 constexpr std::array<CycleStep, CannedCycle::kMostSteps> kMixedTap{
     rapidToR, mixedToBottom, reverseSpindle, dwell, mixedToClearance, restoreSpindle, startedAsLeft};
 
-// Source: LinuxCNC's documentation of G73 to G89, in the order in which its stand-alone interpreter does it.
+// Source: LinuxCNC's documentation of G73 to G89, in the order in which its stand-alone interpreter executes
+// them.
 constexpr CannedCycle kLinuxcncCycles[] = {
     {730, false, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, rapidToClearance}},
     {740, false, false, SpindleNeed::counterClockwise, kMixedTap},
@@ -46,7 +47,7 @@ constexpr CannedCycle kLinuxcncCycles[] = {
 constexpr std::array<CycleStep, CannedCycle::kMostSteps> kTapWithChuck{rapidToR, feedToBottom, reverseSpindle,
                                                                        feedToClearance, restoreSpindle};
 
-// What Mach does otherwise than LinuxCNC. Source: Using Mach3Mill, canned cycles.
+// Where Mach differs from LinuxCNC. Source: Using Mach3Mill, canned cycles.
 constexpr CannedCycle kMachCycles[] = {
     {740, false, false, SpindleNeed::counterClockwise, kTapWithChuck},
     {840, false, false, SpindleNeed::clockwise, kTapWithChuck},
@@ -57,7 +58,7 @@ constexpr CannedCycle kMachCycles[] = {
      {rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle}},
 };
 
-/// Down beside the hole, up through the bore, and out again beside it.
+/// Down beside the hole, up through the bore, and out again beside the hole.
 constexpr std::array<CycleStep, CannedCycle::kMostSteps> kBackBoring{
     stopSpindle, shiftAside,  rapidToR,   shiftBack,        restoreSpindle, feedToBottom,
     dwell,       stopSpindle, shiftAside, rapidToClearance, shiftBack,      restoreSpindle};
@@ -105,7 +106,7 @@ constexpr CannedCycle kFanucCycles[] = {
     {890, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, feedToR, rapidToClearance}},
 };
 
-// What Haas does otherwise than Fanuc. Source: HAAS Mill Operator's Manual, canned cycles.
+// Where Haas differs from Fanuc. Source: HAAS Mill Operator's Manual.
 constexpr CannedCycle kHaasCycles[] = {
     {730, true, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, dwell, rapidToClearance}},
     {740, false, false, SpindleNeed::counterClockwise, kTapping},
@@ -127,7 +128,7 @@ constexpr CannedCycle kHaasCycles[] = {
      .caveat = &nc_message::kManualExit},
 };
 
-/// The cycles of a dialect: what it does otherwise than others, over what it shares with them.
+/// The cycles of a dialect: its own rows, which override those that it shares with other dialects.
 struct CyclesOfDialect {
     std::span<const CannedCycle> own;
     std::span<const CannedCycle> shared;
@@ -152,7 +153,7 @@ double Pecks::count(double depth) const {
         return 0;
     const double last = std::max(first - less, least) < first ? least : std::max(first, least);
     const double shrinking = less > 0 ? std::max(std::floor((first - last) / less), 0.0) : 0;
-    // The k pecks that shrink are k * first - less * k * (k - 1) / 2 deep.
+    // The k pecks that shrink have a total depth of k * first - less * k * (k - 1) / 2.
     const double shrunk = shrinking * first - less * shrinking * (shrinking - 1) / 2;
     if (less > 0 && shrunk >= depth) {
         const double twice = 2 * first + less;

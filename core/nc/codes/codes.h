@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The codes of NC programs, as tables: the interpreter runs their rows, the editor colours and explains by
-// them.
+// The codes of NC programs, as tables: the interpreter executes their rows, and the editor uses them for
+// colours and help.
 #pragma once
 
 #include <array>
@@ -16,15 +16,15 @@ namespace proveout {
 
 struct Execution;
 
-/// What a code does, given the word that ordered it.
+/// Executes a code; the word is the one that programmed it.
 using CodeHandler = void (*)(Execution&, const Word&);
 
-/// Of the codes of one group, a block may hold one only.
+/// A block may have only one code of each group.
 enum class ModalGroup : std::uint8_t {
     nonModal,
-    shiftEnd, ///< G92.1 to G92.3 of LinuxCNC, which may stand beside a non-modal code
+    shiftEnd, ///< G92.1 to G92.3 of LinuxCNC, which may be in one block with a non-modal code
     motion,
-    motionOff, ///< G80; LinuxCNC lets it stand beside a motion code, which then wins
+    motionOff, ///< G80; LinuxCNC allows it in one block with a motion code, which then has priority
     plane,
     distance,
     arcDistance,
@@ -56,8 +56,8 @@ enum class ModalGroup : std::uint8_t {
     count
 };
 
-/// When in its block a word takes effect, whatever its place in the text: the order of this enumeration.
-/// Source: LinuxCNC, order of execution.
+/// When a word takes effect within its block, regardless of its place in the text: in the order of this
+/// enumeration. Source: LinuxCNC, order of execution.
 enum class Step : std::uint8_t {
     feedMode,
     feedRate,
@@ -92,28 +92,29 @@ enum class Step : std::uint8_t {
     shiftEnd, ///< G92.1 to G92.3
     macroCall,
     motion,
-    spindleStop, ///< M5 and M9 of Fanuc let the motion of their block end first
+    spindleStop, ///< M5 and M9 of Fanuc take effect after the motion of their block
     coolantOff,
     stop,
     subprogram,
     count,
-    none = count ///< takes no effect of its own
+    none = count ///< has no effect by itself
 };
 
-/// What a code does with the axis words of its block.
+/// How a code uses the axis words of its block.
 enum class AxisUse : std::uint8_t {
     none,     ///< they belong to the motion in force
-    takes,    ///< they are its own: no motion; if it is not supported, the axes are somewhere else afterwards
+    takes,    ///< they belong to the code, which replaces the motion; if it is not supported, the axis
+              ///< positions are unknown afterwards
     allAxes,  ///< as `takes`, and without axis words it moves every axis
-    machine,  ///< they belong to the motion in force, but count in machine coordinates
-    allWords, ///< every word behind the code is an argument of its own
+    machine,  ///< they belong to the motion in force, but are machine coordinates
+    allWords, ///< every word after the code is one of its arguments
 };
 
-/// What happens to a code while cutter compensation is on.
+/// Whether a code is allowed while cutter compensation is on.
 enum class WithCompensation : std::uint8_t {
     allowed,
     refused,
-    refusedBeside, ///< and as long as the tool stands beside the path, which G40 alone does not change
+    refusedBeside, ///< refused also while the tool is beside the path, which G40 alone does not change
 };
 
 struct CodeRow {
@@ -131,29 +132,29 @@ struct CodeRow {
     [[nodiscard]] bool supported() const { return handler != nullptr || ignored; }
 };
 
-/// What the number of a word stands for, which decides its unit.
+/// The meaning of the number of a word, which determines its unit.
 enum class Quantity : std::uint8_t { number, length, angle, feed, speed };
 
-/// A letter that is not a code: what its number means.
+/// A letter that is not a code, and the meaning of its number.
 struct LetterRow {
     char letter;
     const char* name; ///< marked with PROVEOUT_TEXT
     Quantity quantity = Quantity::number;
-    CodeHandler handler = nullptr; ///< where the word takes effect by itself
+    CodeHandler handler = nullptr; ///< if the word takes effect by itself
     Step step = Step::none;
 };
 
 /// The codes of one dialect. Immutable; any thread.
 class CodeTable {
 public:
-    /// Of rows of the layers with the same number, those of the later layer count.
+    /// If several layers have a row with the same number, that of the last layer counts.
     CodeTable(std::initializer_list<std::span<const CodeRow>> layers);
 
     /// All rows, by letter and number.
     [[nodiscard]] std::span<const CodeRow* const> rows() const { return m_rows; }
-    /// The row of a code, null where there is none. Constant time.
+    /// The row of a code, null if there is none. Constant time.
     [[nodiscard]] const CodeRow* find(char letter, int tenths) const;
-    /// The row of the code that a G or M word means, null where there is none.
+    /// The row of the code that a G or M word means, null if there is none.
     [[nodiscard]] const CodeRow* find(const Word& word) const;
 
 private:
@@ -168,7 +169,7 @@ private:
 
 [[nodiscard]] const CodeTable& codesOf(DialectId dialect);
 
-/// All letters but G and M, and the signs of polar words, in the order of ASCII.
+/// All letters except G and M, and the signs of polar words, in ASCII order.
 [[nodiscard]] std::span<const LetterRow> letters();
 
 } // namespace proveout

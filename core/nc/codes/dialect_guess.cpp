@@ -18,13 +18,13 @@ constexpr std::size_t kMostLines = 100'000;
 constexpr std::size_t kMostOfHeading = 100; ///< lines whose comments may name the post processor
 constexpr std::size_t kLongestShown = 24;
 
-constexpr int kHint = 1;      ///< others may write it too
-constexpr int kSign = 4;      ///< means something else, or nothing, elsewhere
+constexpr int kHint = 1;      ///< other controls may use it too
+constexpr int kSign = 4;      ///< has another meaning, or none, on other controls
 constexpr int kNamed = 20;    ///< a comment names the post processor or the control
-constexpr int kDecides = 100; ///< no other control reads it
+constexpr int kDecides = 100; ///< no other control accepts it
 
-/// A piece of a line without blanks and comments, in upper case: "*" stands for anything, "#" for a digit,
-/// "?" for a letter. A pattern that begins with "^" stands at the beginning of the line, behind N.
+/// A piece of a line without blanks and comments, in upper case: "*" matches anything, "#" a digit, "?" a
+/// letter. A pattern that begins with "^" matches at the beginning of the line, after N.
 struct Row {
     DialectId dialect;
     int weight;
@@ -127,10 +127,10 @@ void strip(std::string_view line, std::string& out) {
     out.erase(0, begin);
 }
 
-/// Whether a pattern stands at `at`: "#" is a digit, "%" any number of them.
+/// Whether a pattern matches at `at`: "#" is a digit, "%" any number of digits.
 bool matchesAt(std::string_view pattern, std::string_view line, std::size_t at) {
     for (std::size_t i = 0; i < pattern.size(); ++i) {
-        // A "#" alone at the front is that of a parameter.
+        // A "#" at the beginning of a pattern is that of a parameter.
         const bool digit = pattern[i] == '#' && i > 0;
         if (pattern[i] == '%') {
             while (at < line.size() && isDigit(line[at]))
@@ -141,7 +141,7 @@ bool matchesAt(std::string_view pattern, std::string_view line, std::size_t at) 
             return false;
         ++at;
     }
-    // "G100" is not found in "G1000", "G150" not in "G1500".
+    // "G100" does not match in "G1000", nor "G150" in "G1500".
     return !isDigit(pattern.back()) || at >= line.size() || !(isDigit(line[at]) || line[at] == '.');
 }
 
@@ -194,11 +194,11 @@ DialectGuess guessDialect(const NcText& text) {
     std::array<int, static_cast<std::size_t>(DialectId::count)> weights{};
     for (const DialectSign& sign : signs)
         weights[static_cast<std::size_t>(sign.dialect)] += sign.weight;
-    // What Fanuc reads, Haas reads too; without a sign of its own it is not meant.
+    // Haas also accepts what Fanuc accepts; without a sign of its own, Haas is not meant.
     const auto of = [&](DialectId id) -> int& { return weights[static_cast<std::size_t>(id)]; };
     if (of(haas) > 0)
         of(haas) += of(fanuc);
-    // Likewise Mach, and what LinuxCNC shares with it.
+    // The same applies to Mach and the codes that LinuxCNC shares with it.
     if (of(mach) > 0 && of(linuxcnc) < kDecides)
         of(mach) += of(linuxcnc);
     DialectGuess guess;

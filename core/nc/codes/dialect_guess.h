@@ -9,26 +9,27 @@
 
 namespace proveout {
 
-/// What in a text speaks for a dialect.
+/// An indication of a dialect in a text.
 struct DialectSign {
     DialectId dialect = DialectId::linuxcnc;
     int weight = 0;
-    int line = 0;      ///< 1-based, where it stands first
-    std::string shown; ///< as it stands there
+    int line = 0;      ///< 1-based, of the first occurrence
+    std::string shown; ///< as written there
 
     bool operator==(const DialectSign&) const = default;
 };
 
 struct DialectGuess {
     DialectId dialect = DialectId::linuxcnc;
-    std::vector<DialectSign> reasons; ///< those for it, by line; none: nothing in the text tells
+    std::vector<DialectSign> reasons; ///< the signs for it, by line; empty: the text does not indicate a
+                                      ///< dialect
 
     bool operator==(const DialectGuess&) const = default;
 };
 
-/// For which control a text was written, by what only some of them understand, and by the post processor or
-/// the control that a comment of its heading names. Reads at most its first hundred thousand lines. Pure; any
-/// thread.
+/// For which control a text was written, judging by codes that only some controls accept, and by the post
+/// processor or the control that a comment of its heading names. Reads at most its first hundred thousand
+/// lines. Pure; any thread.
 [[nodiscard]] DialectGuess guessDialect(const NcText& text);
 
 } // namespace proveout

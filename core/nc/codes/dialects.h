@@ -9,10 +9,10 @@
 
 namespace proveout {
 
-/// All of them, in the order of DialectId.
+/// All dialects, in the order of DialectId.
 [[nodiscard]] std::span<const Dialect> dialects();
 [[nodiscard]] const Dialect& dialect(DialectId id);
-/// By its key; null where there is none.
+/// The dialect with this key; null if there is none.
 [[nodiscard]] const Dialect* findDialect(std::string_view key);
 
 } // namespace proveout

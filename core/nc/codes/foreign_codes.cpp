@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A code that is known but not supported has a name, and says what it does with the axis words of its
-// block.
+// A code that is known but not supported has a name, and a rule for the axis words of its block.
 #include "core/nc/codes/code_rows.h"
 
 #include "core/base/text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Haas has besides Fanuc's codes, or otherwise. Source: HAAS Mill Operator's Manual.
+// Where Haas's codes extend Fanuc's or differ from them. Source: HAAS Mill Operator's Manual.
 #include "core/nc/codes/code_rows.h"
 
 #include <iterator>

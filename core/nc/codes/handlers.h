@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions that the rows of the codes table name, one per code or family of codes.
+// The functions that the rows of the table of codes name, one per code or family of codes.
 #pragma once
 
 #include "core/nc/codes/codes.h"
@@ -45,7 +45,7 @@ void setIncremental(Execution& execution, const Word& word);          ///< G91
 void setArcCentreAbsolute(Execution& execution, const Word& word);    ///< G90.1
 void setArcCentreIncremental(Execution& execution, const Word& word); ///< G91.1
 void selectPathControl(Execution& execution, const Word& word);       ///< G61 to G64 of Fanuc
-void keepState(Execution& execution, const Word& word); ///< a code whose state is the only one there is
+void keepState(Execution& execution, const Word& word); ///< a code whose state is the only possible one
 
 // cycle_codes.cpp
 void runCycle(Execution& execution, const Word& word);              ///< G73, G74, G81 to G89
@@ -170,7 +170,7 @@ void ignoreOptionalStop(Execution& execution, const Word& word);   ///< M1 of gr
 void switchMistWhereBuilt(Execution& execution, const Word& word); ///< M7 of grbl
 
 // machine_codes.cpp
-/// Tells once where a setting of the control decides what P of a dwell counts.
+/// Reports once that a setting of the control determines the unit of P of a dwell.
 void reportDwellUnit(Execution& execution, const Word& time);
 void dwell(Execution& execution, const Word& word);                       ///< G4
 void dwellByLetter(Execution& execution, const Word& word);               ///< G4 of Fanuc
@@ -198,11 +198,11 @@ void endProgram(Execution& execution, const Word& word);                  ///< M
 
 // grbl_rules.cpp: named by the row of the dialect
 
-/// Whether grbl runs the block. It drops a block as a whole where anything in it is wrong, which is told.
+/// Whether grbl runs the block. It rejects the whole block if anything in it is wrong; that is reported.
 [[nodiscard]] bool mayRunOnGrbl(Execution& execution);
 
-/// The error code by which grbl answers what a message is about, with the remedy; null where there is none. A
-/// literal marked with PROVEOUT_TEXT.
+/// The error code with which grbl answers a message, with the remedy; null if there is none. A literal marked
+/// with PROVEOUT_TEXT.
 [[nodiscard]] const char* answerOfGrbl(const FindingRow& message);
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// M codes that switch something on the machine (a clamp, a door, air) but move no axis: ignored, and listed.
+// M codes that switch a device of the machine (a clamp, a door, air) but move no axis: ignored, and listed.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,16 @@
 
 namespace proveout {
 
-/// An M code that a program holds and that was ignored. A value.
+/// An M code of a program that was ignored. A value.
 struct IgnoredCode {
     static constexpr std::size_t kMostLines = 8;
 
-    const char* name = ""; ///< by the dialect's table, marked with PROVEOUT_TEXT; empty: by the user's list
-    std::size_t count = 0; ///< how often it was executed
-    std::vector<std::uint32_t> lines; ///< of the main text, 1-based, the first different ones
+    const char* name = ""; ///< from the dialect's table, marked with PROVEOUT_TEXT; empty: from the user's
+                           ///< list
+    std::size_t count = 0; ///< the number of executions
+    std::vector<std::uint32_t> lines; ///< of the main text, 1-based, the first ones that differ
     bool moreLines = false;           ///< there are more than kMostLines
-    int column = 1;                   ///< in the first of them
+    int column = 1;                   ///< in the first of these lines
     int length = 0;
 
     void add(std::uint32_t line, int atColumn, int ofLength);
@@ -31,10 +32,10 @@ struct IgnoredCode {
     bool operator==(const IgnoredCode&) const = default;
 };
 
-/// By number.
+/// By M number.
 using IgnoredCodes = std::map<int, IgnoredCode>;
 
-/// "4, 9, 15"; ends with " …" where there are more.
+/// "4, 9, 15"; ends with " …" if there are more.
 [[nodiscard]] std::string linesOf(const IgnoredCode& code);
 
 inline constexpr int kLargestMCode = 99'999;
@@ -45,8 +46,8 @@ inline constexpr int kLargestMCode = 99'999;
 /// "10, 11, 16".
 [[nodiscard]] std::string formatMCodes(const std::set<int>& codes);
 
-/// The M code that a message of the interpreter reports as not known, so that a list of ignored codes could
-/// have it; nothing for any other message.
+/// The M code that a message of the interpreter reports as unknown, so that it could be added to a list of
+/// ignored codes; nothing for any other message.
 [[nodiscard]] std::optional<int> unknownMCode(const Diagnostic& diagnostic);
 
 } // namespace proveout

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The codes of Mach3 and Mach4 for milling, over the basic ones. Source: Using Mach3Mill, chapter 10; where
-// Mach4 does otherwise, Mach4 CNC Controller, Mill GCode Programming.
+// The codes of Mach3 and Mach4 for milling, overriding the basic ones. Source: Using Mach3Mill, chapter 10;
+// where Mach4 differs, Mach4 CNC Controller, Mill GCode Programming.
 #include "core/nc/codes/code_rows.h"
 
 #include <iterator>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// M codes that switch a device of the machine and move no axis. What a code does to the spindle, the coolant
-// of M8, the tool or the part (pallet change, tool unclamp, user relays) is not among them.
-// Sources: P. Smid, CNC Programming Handbook, miscellaneous functions for milling; HAAS Mill Operator's
-// Manual.
+// M codes that switch a device of the machine and move no axis. Codes that affect the spindle, the coolant of
+// M8, the tool or the part (pallet change, tool unclamp, user relays) are not included. Sources: P. Smid, CNC
+// Programming Handbook, miscellaneous functions for milling; HAAS Mill Operator's Manual.
 #include "core/nc/codes/code_rows.h"
 
 #include <iterator>
@@ -19,7 +18,7 @@ constexpr CodeRow function(int number, const char* name) {
     return row;
 }
 
-/// The builder of the machine gives them their meaning; most keep to these.
+/// The machine builder defines their meaning; most follow these.
 constexpr CodeRow kFanucFunctions[] = {
     function(10, PROVEOUT_TEXT("Core", "clamp of a rotary axis or pallet on")),
     function(11, PROVEOUT_TEXT("Core", "clamp of a rotary axis or pallet off")),

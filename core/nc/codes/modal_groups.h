@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The modal groups: of the codes of each, one is in force. One table, read in both directions: which code the
-// state means, and which code restores a state. Macros, saved modal states, help and the control panel read
-// it; what a code does to the state is in its own row (codes.h).
+// The modal groups: one code of each is in force. One table for both directions: which code a state means,
+// and which code restores a state. Macros, saved modal states, help and the control panel read it; the effect
+// of a code on the state is in its own row (codes.h).
 #pragma once
 
 #include "core/nc/codes/codes.h"
@@ -15,19 +15,18 @@ using CodeOfState = int (*)(const MachineState&, const Dialect&);
 
 struct ModalGroupRow {
     ModalGroup group;
-    const char* name;              ///< marked with PROVEOUT_TEXT
-    CodeOfState inForce = nullptr; ///< null: the state does not keep it
-    char letter = 'G';             ///< of that code
-    CodeOfState restores =
-        nullptr; ///< where LinuxCNC restores the group by another code than the one in force
+    const char* name;               ///< marked with PROVEOUT_TEXT
+    CodeOfState inForce = nullptr;  ///< null: the state does not store it
+    char letter = 'G';              ///< of that code
+    CodeOfState restores = nullptr; ///< if LinuxCNC restores the group by a code other than the one in force
 };
 
 [[nodiscard]] const ModalGroupRow& rowOf(ModalGroup group);
 
-/// For people; marked with PROVEOUT_TEXT.
+/// For the user interface; marked with PROVEOUT_TEXT.
 [[nodiscard]] const char* nameOf(ModalGroup group);
 
-// What the rows name, for the rooms that know the state.
+// The functions that the rows name, for the libraries that know the state.
 [[nodiscard]] int motionInForce(const MachineState& state, const Dialect& dialect);
 [[nodiscard]] int planeInForce(const MachineState& state, const Dialect& dialect);
 [[nodiscard]] int distanceInForce(const MachineState& state, const Dialect& dialect);

@@ -19,7 +19,7 @@ std::size_t behindLetters(std::string_view line, std::size_t at) {
     return at;
 }
 
-/// Behind a parameter: "#5", "##5", "#<name>"; one whose number has to be computed ends behind its "#".
+/// The end of a parameter: "#5", "##5", "#<name>"; one with a computed number ends after its "#".
 std::size_t behindParameter(std::string_view line, std::size_t at) {
     if (at + 1 < line.size() && line[at + 1] == '<')
         return std::min(line.find('>', at), line.size() - 1) + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a word of a line means, for people who point at it.
+// The meaning of a word of a line, for tooltips.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace proveout {
 struct WordHelp {
     std::size_t begin = 0; ///< of the word, as an index into the line
     std::size_t end = 0;
-    std::string word;            ///< "G54.1", "X"; as tables name it
-    const char* name = nullptr;  ///< marked with PROVEOUT_TEXT; null where the dialect does not know the code
+    std::string word;            ///< "G54.1", "X"; as written in the tables
+    const char* name = nullptr;  ///< marked with PROVEOUT_TEXT; null if the dialect does not know the code
     const char* group = nullptr; ///< of codes: their modal group, marked with PROVEOUT_TEXT
     bool supported = true;
     bool parameter = false; ///< "#5", "#<depth>"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the words of a canned cycle order, by the rules of the dialect: read here, drilled by cycle_run.h.
+// The values that the words of a canned cycle give by the rules of the dialect: read here, executed by
+// cycle_run.h.
 #pragma once
 
 #include <optional>
@@ -14,19 +15,19 @@ namespace proveout {
 struct CycleOrder {
     double retract = 0;
     double bottom = 0;
-    bool lifts = false;   ///< to R before the first hole
-    double travel = 0;    ///< level on the way to the first hole, if it is known where the tool stands
-    double clearance = 0; ///< level at which a hole is left
+    bool lifts = false;   ///< moves to R before the first hole
+    double travel = 0;    ///< level of the move to the first hole, if the position of the tool is known
+    double clearance = 0; ///< level to which the tool retracts after a hole
     double dwell = 0;     ///< seconds
     Pecks pecks;
-    double remainder = 0; ///< a shorter last peck is none
-    Vec3 aside{0};        ///< from the hole, of a cycle that shifts
-    double boreTop = 0;   ///< up to which LinuxCNC's G87 bores
-    double outRatio = 1;  ///< of the feed with which a tap comes out to the one of going in
+    double remainder = 0; ///< a shorter last peck is omitted
+    Vec3 aside{0};        ///< relative to the hole, for a cycle with a shift
+    double boreTop = 0;   ///< the level up to which LinuxCNC's G87 bores
+    double outRatio = 1;  ///< ratio of the feed of a tap out of the hole to its feed into the hole
     long long repeats = 1;
 };
 
-/// Nothing where the block drills nothing, which is told unless it is in order. Changes the state of the
+/// Nothing if the block does not drill, which is reported unless it is allowed. Changes the state of the
 /// series.
 [[nodiscard]] std::optional<CycleOrder> readCycle(Execution& execution, const Word& word,
                                                   const CannedCycle& cycle);
@@ -35,14 +36,14 @@ struct CycleOrder {
                                                        const CannedCycle& cycle);
 [[nodiscard]] std::optional<CycleOrder> readFanucCycle(Execution& execution, const Word& word,
                                                        const CannedCycle& cycle);
-/// The order of Fanuc's cycle in force, without words of its own: one hole.
+/// The values of Fanuc's cycle in force, without words of its own: one hole.
 [[nodiscard]] CycleOrder fanucOrderInForce(const Execution& execution, const CannedCycle& cycle);
 
-/// Whether the spindle turns as the cycle needs it; tells it where not.
+/// Whether the spindle turns as the cycle requires; reports it if not.
 [[nodiscard]] bool spindleTurns(Execution& execution, const Word& word, SpindleNeed need);
-/// Tells where a code of a reference position stands within a canned cycle and the control refuses that.
+/// Reports a code of a reference position within a canned cycle if the control refuses that.
 void reportReferenceInCycle(Execution& execution, const Word& word);
-/// Whether it is known where the tool stands along the normal of the plane.
+/// Whether the position of the tool along the normal of the plane is known.
 [[nodiscard]] bool depthKnown(const Execution& execution);
 
 } // namespace proveout

@@ -13,9 +13,9 @@ namespace proveout {
 
 namespace {
 
-constexpr double kSameLevel = 1e-9; ///< mm; of converting units and offsets
+constexpr double kSameLevel = 1e-9; ///< mm; left by converting units and offsets
 
-/// Which way the spindle turns in a hole.
+/// The direction of the spindle in a hole.
 int turnIn(SpindleNeed need, int before) {
     switch (need) {
     case SpindleNeed::clockwise:
@@ -29,7 +29,7 @@ int turnIn(SpindleNeed need, int before) {
     return before;
 }
 
-/// What G51 makes of a length along the axis, undone: pecks, gaps and shifts aside are not scaled.
+/// Reverses the scaling of G51 for a length along the axis: pecks, gaps and shifts are not scaled.
 double unscaled(const Execution& execution, int axis) {
     const Transformation& now = execution.state.frame.transformation;
     return now.scaled ? 1 / std::abs(now.factors[axis]) : 1;
@@ -156,7 +156,8 @@ void CycleRun::dwell() {
         m_execution.program.append(Dwell{m_order.dwell}, m_execution.line);
 }
 
-/// Inches that were made millimetres are not to make one peck more of what is a whole number of them.
+/// The rounding of inches converted to millimetres must not add a peck where the depth is a whole number of
+/// them.
 bool CycleRun::isAbove(double depth, double bottom) const {
     constexpr double kRounding = 1e-9;
     return depth > bottom + (m_execution.state.inch ? kRounding : 0);
@@ -184,7 +185,7 @@ void CycleRun::peck(bool retract) {
     depthTo(MotionKind::feed, m_order.bottom);
 }
 
-/// LinuxCNC goes above R where the gap is larger than the peck.
+/// LinuxCNC moves above R if the gap is larger than the peck.
 double CycleRun::above(double depth, double gap) const {
     return listsNothing() ? depth + gap : std::min(depth + gap, m_order.retract);
 }
@@ -213,7 +214,7 @@ void CycleRun::shift(const Vec3& offset) {
     moveTo(MotionKind::rapid, target, m_depthKnown);
 }
 
-/// Down beside the hole with the spindle stopped, up through the bore, and out again beside it.
+/// Down beside the hole with the spindle stopped, up through the bore, and out again beside the hole.
 void CycleRun::backBore() {
     shift(m_order.aside);
     turn(0);
@@ -235,7 +236,7 @@ void CycleRun::reportMixed() {
         m_execution.reporter.report(nc_message::kTapAxesMixed, m_word, {plane == Plane::zx ? "G18" : "G19"});
 }
 
-/// LinuxCNC 2.9 turns the coordinates of a tap outside of G17 round once more than those of the other cycles.
+/// LinuxCNC 2.9 permutes the coordinates of a tap outside of G17 once more than those of the other cycles.
 void CycleRun::feedMixed(double level) {
     Vec3 hole = m_hole;
     hole[m_plane.normal] = level;
@@ -258,7 +259,7 @@ void CycleRun::startAsLeft() {
     m_at = left;
 }
 
-/// To the place of the next hole, at the level where the series is.
+/// Moves over the next hole, at the present level of the series.
 void CycleRun::moveOver() {
     Vec3 target = m_at;
     for (const int axis : {m_plane.first, m_plane.second}) {
@@ -307,7 +308,7 @@ void CycleRun::moveTo(MotionKind kind, const Vec3& program, bool depthKnown, dou
     appendMotion(m_execution, motion);
 }
 
-/// Whether the block says where the axis stands, or it was known before.
+/// Whether the block gives the position of the axis, or it was known before.
 bool CycleRun::namedOnce(int axis) const {
     const bool known = (m_execution.state.known >> static_cast<unsigned>(axis) & 1U) != 0;
     const bool named =

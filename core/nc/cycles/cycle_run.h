@@ -9,21 +9,21 @@
 
 namespace proveout {
 
-/// Drills from where the tool stands; keeps references to all that it is given.
+/// Drills from the present position of the tool; keeps references to all its arguments.
 class CycleRun {
 public:
     CycleRun(Execution& execution, const Word& word, const CannedCycle& cycle, const CycleOrder& order);
 
-    /// Whether a block may have so many of these holes; told where not.
+    /// Whether a block may have this many holes; reported if not.
     [[nodiscard]] bool mayDrill(double holes) const;
-    /// The holes to which the axis words of the block lead.
+    /// Drills the holes that the axis words of the block give.
     void drillBlock();
-    /// One hole at a place in the plane, in program coordinates.
+    /// Drills one hole at a place in the plane, in program coordinates.
     void drillAt(const Vec2& place);
 
 private:
     [[nodiscard]] const Block& block() const { return m_execution.block; }
-    /// LinuxCNC lists motions and dwells of no length.
+    /// Whether motions and dwells of no length are listed, as LinuxCNC does.
     [[nodiscard]] bool listsNothing() const { return m_execution.dialect.codeAloneMoves; }
 
     void lift();
@@ -52,11 +52,11 @@ private:
     CycleOrder m_order;
     PlaneAxes m_plane;
     Vec3 m_at;   ///< program coordinates
-    Vec3 m_hole; ///< of the hole in work, in its plane
+    Vec3 m_hole; ///< of the current hole, in its plane
     bool m_depthKnown;
-    double m_level;       ///< at which the next hole is reached
-    int m_turnBefore = 0; ///< of the spindle, before the hole
-    int m_turn = 0;       ///< in the hole
+    double m_level;       ///< the level at which the next hole is approached
+    int m_turnBefore = 0; ///< direction of the spindle before the hole
+    int m_turn = 0;       ///< direction in the hole
 };
 
 } // namespace proveout

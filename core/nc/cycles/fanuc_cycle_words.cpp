@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of canned cycles, read as Fanuc and Haas do: what one block says counts for the next ones, until
-// G80 or a motion code ends the series.
+// The words of canned cycles, read as by Fanuc and Haas: values of one block remain valid for the next ones,
+// until G80 or a motion code ends the series.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ public:
         const std::optional<int> repeats = readRepeats();
         const bool drills = block().letters().any(LetterSet("XYZR@^"));
         m_execution.state.cycle = m_state;
-        // What a block says that drills nothing is not kept, but K0 is there for nothing else.
+        // Values of a block that does not drill are not kept, except with K0, whose purpose that is.
         if (!repeats || (!drills && repeats != 0) || !readWords())
             return {};
         m_execution.state.cycle = m_state;
@@ -67,7 +67,7 @@ private:
         m_execution.state.rigidTapping = false;
     }
 
-    /// K; L on old controls and those of Haas, where K is a length.
+    /// K; or L on older controls and on those of Haas where K is a length.
     std::optional<int> readRepeats() {
         const char letter = !shrinks() && block().has('K') ? 'K' : 'L';
         if (!block().has(letter))
@@ -90,7 +90,7 @@ private:
         return readDwell() && readLevels();
     }
 
-    /// Levels are kept as places: a series that goes on in G91 stays as deep as it was.
+    /// Levels are kept as positions, so that a series that continues in G91 keeps its depth.
     bool readLevels() {
         const char depth = letterOfAxis(m_plane.normal);
         const bool incremental = m_execution.state.incremental;
@@ -174,7 +174,7 @@ private:
         return true;
     }
 
-    /// Once a cycle, not at every hole.
+    /// Once per cycle, not at every hole.
     void reportDoubts() {
         if (m_state.doubtsReported)
             return;
@@ -190,7 +190,7 @@ private:
             report(nc_message::kPeckMissing, m_word, {cycleName()});
     }
 
-    /// Whether the machine goes to the place of a block that only stores is not said anywhere.
+    /// The manuals do not say whether the machine moves to the position of a block that only stores values.
     void reportPlaceOfStored() {
         for (const int axis : {m_plane.first, m_plane.second}) {
             const char letter = letterOfAxis(axis);
@@ -211,7 +211,7 @@ private:
     Vec3 m_at; ///< program coordinates
 };
 
-/// Q and the direction of a machine parameter, or what I J K say.
+/// The shift by Q and the direction of a machine parameter, or by I J K.
 Vec3 asideOf(const CycleState& state, const PlaneAxes& plane) {
     if (state.asideGiven)
         return state.aside;

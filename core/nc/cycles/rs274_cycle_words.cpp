@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of canned cycles, read as LinuxCNC does.
+// The words of canned cycles, read as by LinuxCNC.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 constexpr double kMostRepeats = 1e9;
-constexpr double kSameLevel = 1e-9; ///< mm; of converting units and offsets
+constexpr double kSameLevel = 1e-9; ///< mm; left by converting units and offsets
 
 class Rs274CycleWords {
 public:
@@ -41,8 +41,8 @@ public:
 private:
     [[nodiscard]] const Block& block() const { return m_execution.block; }
 
-    /// LinuxCNC goes to the first hole at the level of a tool that is above R, otherwise at the one at which
-    /// holes are left: after G98 that is the initial level, even if the hole before was left at R.
+    /// LinuxCNC moves to the first hole at the level of a tool that is above R, otherwise at the level to
+    /// which holes retract: after G98 that is the initial level, even if the hole before retracted to R.
     void readLevelsBetweenHoles() {
         const bool toInitial = !m_execution.state.retractToR && m_initialKnown;
         m_order.lifts = m_depthKnown && m_state.initialLevel < m_order.retract - kSameLevel;
@@ -117,7 +117,7 @@ private:
         return readBore(sticky) && readRepeats();
     }
 
-    /// I, J and K of G87: two of them lead aside, the third is the top of the bore.
+    /// I, J and K of G87: two of them are the shift, the third is the top of the bore.
     bool readBore(bool sticky) {
         constexpr int kBackBore = 870;
         if (m_cycle.tenths != kBackBore)
@@ -150,7 +150,7 @@ private:
     CycleOrder m_order;
     double m_at; ///< level of the tool
     bool m_depthKnown;
-    bool m_series = false; ///< the block before was a cycle too
+    bool m_series = false; ///< whether the previous block was a cycle too
     bool m_initialKnown = false;
 };
 

@@ -33,7 +33,7 @@ const SystemValues& ControlVariables::systemValues() const {
 void ControlVariables::assign(std::span<const Assignment> assignments, std::uint32_t line) {
     for (const Assignment& order : assignments)
         assign(order, line);
-    (void)m_system.consumeProbeRead(); // writing it is no use of it
+    (void)m_system.consumeProbeRead(); // writing it does not count as use
 }
 
 void ControlVariables::assign(const Assignment& order, std::uint32_t line) {
@@ -54,7 +54,7 @@ void ControlVariables::assign(const Assignment& order, std::uint32_t line) {
         m_reporter.report(nc_message::kNamesTooMany, order.column, order.length, {shown});
 }
 
-/// What writing a parameter of LinuxCNC does besides; true where it is stored nowhere.
+/// Further effects of writing a parameter of LinuxCNC; true if the caller must not store it.
 bool ControlVariables::assignInput(const Assignment& order) {
     if (order.target.number == kInputParameter)
         m_state.inputAssumed = false;
@@ -65,7 +65,7 @@ bool ControlVariables::assignInput(const Assignment& order) {
     return true;
 }
 
-/// What writing a system variable of custom macro B does besides; true where it is stored nowhere.
+/// Further effects of writing a system variable of custom macro B; true if the caller must not store it.
 bool ControlVariables::writeVariable(const Assignment& order, std::uint32_t line) {
     const std::string shown = fmt::format("#{}", order.target.number);
     switch (m_macroB.writing(order.target.number)) {

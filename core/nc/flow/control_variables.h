@@ -16,8 +16,8 @@
 
 namespace proveout {
 
-/// The variables of the control as the lines of a program read and write them: the parameters, and above them
-/// what the macro language of the dialect shows of the machine. Keeps references to its arguments.
+/// The variables of the control for the lines of a program: the parameters, and in addition the state of the
+/// machine as the macro language of the dialect shows it. Keeps references to its arguments.
 class ControlVariables {
 public:
     /// `assumedReported`: the numbers of variables that were reported as assumed.
@@ -26,18 +26,18 @@ public:
     ControlVariables(const ControlVariables&) = delete;
     ControlVariables& operator=(const ControlVariables&) = delete;
 
-    /// What lines are read with.
+    /// The context for reading lines.
     [[nodiscard]] const ReadContext& context() const { return m_context; }
     [[nodiscard]] OffsetRegisters& registers() { return m_registers; }
 
     /// Executes the assignments of a line; `line` is the one of the main text, 1-based.
     void assign(std::span<const Assignment> assignments, std::uint32_t line);
 
-    /// Reports what was read that only the machine knows: from here on the program depends on it.
+    /// Reports reads of values that only the machine knows: from here on the program depends on them.
     void reportReads();
-    /// What was read so far was no use of it by the program.
+    /// Discards the reads up to now, because the program does not use them.
     void forgetReads();
-    /// Whether an expression depended on the state of the machine since the last call of this.
+    /// Whether an expression depended on the state of the machine since the last call of this function.
     [[nodiscard]] bool consumeUse() { return m_system.consumeUse(); }
 
 private:
@@ -56,7 +56,7 @@ private:
     MachineValues m_machine;
     MacroVariables m_macroB;
     OffsetValues m_offsets;
-    const SystemValues& m_system; ///< the one of these three that the dialect has
+    const SystemValues& m_system; ///< the one of the three that the dialect has
     const ReadContext m_context;
 };
 

@@ -8,10 +8,10 @@ namespace proveout {
 
 namespace {
 
-/// The rows of one construct that is still open, as indices.
+/// The rows of one open construct, as indices.
 struct Open {
     std::vector<std::size_t> parts; ///< if, elseif …; while; repeat; do
-    std::vector<std::size_t> jumps; ///< break and continue of this label
+    std::vector<std::size_t> jumps; ///< break and continue with this label
 };
 
 class Matcher {
@@ -64,7 +64,8 @@ public:
     }
 
 private:
-    /// Anew, rather than cleared: that takes as long as the largest scope before had labels.
+    /// Creates new containers rather than clearing them: clearing takes time proportional to the labels of
+    /// the largest earlier scope.
     void beginScope() {
         m_open = decltype(m_open)();
         m_first = decltype(m_first)();
@@ -88,7 +89,7 @@ private:
         return kind == FlowKind::whileLoop || kind == FlowKind::doLoop;
     }
 
-    /// LinuxCNC leaves no repeat and no branch by break and continue.
+    /// In LinuxCNC, break and continue do not leave a repeat or a branch.
     void addJump(const std::string& label, std::size_t row) {
         const auto found = m_open.find(label);
         if (found == m_open.end())

@@ -12,7 +12,7 @@
 
 namespace proveout {
 
-/// A line with an O-word, and the lines that it belongs together with; kNone where there is none.
+/// A line with an O-word, and the lines that belong to the same construct; kNone if there is none.
 struct FlowLine {
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
@@ -23,12 +23,12 @@ struct FlowLine {
     std::size_t end = kNone;   ///< of the construct
     std::size_t jump = kNone;  ///< of a repeat: the first break or continue with its label
     std::size_t twin = kNone;  ///< the line that used this label first
-    bool closesDo = false;     ///< a "while" behind its "do"
+    bool closesDo = false;     ///< a "while" that closes a "do"
     bool nested = false;       ///< a "sub" within another one
 };
 
-/// The O-words of a text, matched by their labels. Labels of branches and loops are those of the subprogram
-/// that they stand in. Built in one pass; immutable.
+/// The O-words of a text, matched by their labels. Labels of branches and loops belong to the subprogram that
+/// contains them. Built in one pass; immutable.
 class FlowIndex {
 public:
     explicit FlowIndex(const NcText& text);
@@ -38,9 +38,9 @@ public:
     [[nodiscard]] bool repeats() const { return m_repeats; } ///< whether it has a "repeat"
     /// The row of a line with an O-word; null for other lines and for those that could not be read.
     [[nodiscard]] const FlowLine* at(std::size_t line) const;
-    /// The line "O… sub" of a label; kNone where there is none.
+    /// The line "O… sub" of a label; kNone if there is none.
     [[nodiscard]] std::size_t sub(std::string_view label) const;
-    /// The line with nothing but the program number; kNone where there is none.
+    /// The line that contains only the program number; kNone if there is none.
     [[nodiscard]] std::size_t program(std::string_view label) const;
 
 private:

@@ -9,7 +9,7 @@ namespace {
 
 constexpr NumberRange kMonitors[] = {
     {1064, 1068}, ///< largest axis loads
-    {1264, 1268}, ///< likewise, of further axes
+    {1264, 1268}, ///< the same, of further axes
     {1601, 1800}, ///< flutes of the tools
     {1801, 2000}, ///< vibrations of the tools
     {3020, 3025}, ///< timers of the machine and of the cycle
@@ -19,7 +19,7 @@ constexpr NumberRange kMonitors[] = {
     {5401, 5500}, ///< tool feed timers
     {5501, 5600}, ///< total tool timers
     {5601, 5800}, ///< tool life: limits, counters
-    {5801, 6000}, ///< tool loads: largest so far, limits
+    {5801, 6000}, ///< tool loads: maxima, limits
     {7501, 7506}, ///< pallets: priority
     {7601, 7606}, ///< status
     {7701, 7706}, ///< programs
@@ -38,7 +38,7 @@ constexpr NumberRange kSettings[] = {
     {13000, 13013}, ///< analog inputs, filtered
 };
 
-/// Variables with two numbers: the first one of a row, the last, and what `first` is otherwise.
+/// Variables with two numbers: the first and last number of a range, and the other number of `first`.
 struct Alias {
     NumberRange numbers;
     int legacy;

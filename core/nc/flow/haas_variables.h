@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// System variables that only Haas' controls have. Source: Haas' mill operator's manual, macro system
+// System variables that only Haas's controls have. Source: Haas's mill operator's manual, macro system
 // variables.
 #pragma once
 
@@ -7,14 +7,14 @@
 
 namespace proveout {
 
-/// Timers, counters, loads and monitors, which begin as 0 on a new machine: a program reads them to count or
-/// to warn, not to position.
+/// Timers, counters, loads and monitors, which are 0 on a new machine: a program reads them to count or to
+/// warn, not to position.
 [[nodiscard]] bool isMonitorOfHaas(int number);
 
 /// Inputs, settings and parameters, whose value only the machine knows.
 [[nodiscard]] bool isSettingOfHaas(int number);
 
-/// The other number of a general-purpose variable: #10100 is #100. Nothing where it has one number only.
+/// The other number of a general-purpose variable: #10100 is #100. Nothing if it has only one number.
 [[nodiscard]] std::optional<int> legacyNumberOfHaas(int number);
 
 } // namespace proveout

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMostNumber = 99'999'999; ///< of blocks and programs
 
-/// How controls and people name the file of a program.
+/// The usual file names of a program, on controls and by hand.
 std::vector<std::string> fileNames(const FlowRequest& request) {
     constexpr std::array kForms{"O{:04}", "o{:04}", "{:04}", "O{}", "o{}", "{}"};
     constexpr std::array kExtensions{"",     ".nc",  ".NC",  ".tap", ".TAP", ".cnc",
@@ -135,7 +135,7 @@ MacroFlow::Next MacroFlow::loop(const MacroStatement& statement) {
     if (statement.kind == StatementKind::doLoop)
         return Next::line;
     std::size_t at = statement.rest;
-    // A condition that cannot be read would keep the loop going without end.
+    // A condition that cannot be read would make the loop endless.
     const auto again = condition(statement, at);
     if (!again || !*again)
         m_calls.jump(partner + 1);
@@ -168,7 +168,7 @@ bool MacroFlow::run(const FlowRequest& request) {
     }
     case FlowRequest::Kind::modalMacro:
         m_modal = ModalCall{request, 0};
-        // What goes wrong then is about another line.
+        // Errors from here on concern another line.
         m_modal->request.word.column = 1;
         m_modal->request.word.length = 0;
         return true;
@@ -197,7 +197,7 @@ bool MacroFlow::call(const FlowRequest& request, bool macro) {
         source = found.source;
         const MacroIndex& index = m_calls.macroIndex(*source);
         program = programIn(index, request);
-        // The file that has the name is the program, whatever stands in it.
+        // The file with that name is the program, whatever it contains.
         if (program == nullptr && !request.name.empty())
             program = &index.programOf(0);
     }
@@ -238,7 +238,7 @@ bool MacroFlow::returns(const FlowRequest& request) {
         m_calls.leave();
         return true;
     }
-    // Told here, at the block that returns.
+    // Reported here, at the block that returns.
     const std::size_t line = m_calls.macroIndex(*level.source).block(request.program, level.line - 1);
     const bool found = line != MacroIndex::kNone ||
                        refuse(nc_message::kBlockUnknown, request.word, {std::to_string(request.program)});
@@ -249,7 +249,7 @@ bool MacroFlow::returns(const FlowRequest& request) {
 }
 
 bool MacroFlow::afterMotion() {
-    // A macro that runs because of G66 does not call itself by its own motions.
+    // A macro that runs because of G66 is not called again by its own motions.
     if (!m_modal || m_modal->depth != 0)
         return true;
     if (!call(m_modal->request, true))

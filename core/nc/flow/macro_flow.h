@@ -16,7 +16,7 @@
 
 namespace proveout {
 
-/// Carries out the jumps, loops and calls of custom macro B, and its subprograms by number. Source: FANUC's
+/// Executes the jumps, loops and calls of custom macro B, and its subprograms by number. Source: FANUC's
 /// operator's manuals. Keeps references to its arguments.
 class MacroFlow {
 public:
@@ -24,21 +24,22 @@ public:
         : m_calls(calls), m_context(context), m_reporter(reporter), m_lint(lint) {}
 
     enum class Next : std::uint8_t {
-        line,   ///< the line that the call stack leads to
-        rest,   ///< first what stands behind THEN, at rest()
-        failed, ///< told; where the program is to go on is not known
+        line,   ///< continue with the line of the call stack
+        rest,   ///< continue with the text after THEN, at rest()
+        failed, ///< reported; the place to continue is unknown
     };
-    /// Carries out the statement of the line that the call stack has just left.
+    /// Executes the statement of the line that the call stack has just passed.
     [[nodiscard]] Next run(const MacroStatement& statement);
     [[nodiscard]] std::size_t rest() const { return m_rest; }
 
     /// Whether a macro runs after every motion.
     [[nodiscard]] bool modal() const { return m_modal.has_value(); }
 
-    /// Carries out what a block asked for. False, and told, where it cannot be. A return from the main
+    /// Executes the request of a block. False, and reported, if it is not possible. A return from the main
     /// program is left to the caller unless it names a block.
     [[nodiscard]] bool run(const FlowRequest& request);
-    /// The block before has moved the machine: the macro of G66 runs. False, and told, where it cannot.
+    /// Call it after a block that has moved the machine: runs the macro of G66. False, and reported, if that
+    /// is not possible.
     [[nodiscard]] bool afterMotion();
 
 private:
@@ -47,10 +48,10 @@ private:
         std::size_t depth = 0; ///< of the macro that runs because of it; 0: it does not run
     };
 
-    /// Of a program that the texts do not hold.
+    /// The file of a program that the texts do not contain.
     struct ProgramFile {
         CallStack::FileFound found;
-        std::string name; ///< that messages propose
+        std::string name; ///< the name that messages propose
     };
 
     Next fail(const FindingRow& message, const MacroStatement& statement,
@@ -72,7 +73,8 @@ private:
     Reporter& m_reporter;
     LintMemory& m_lint;
     std::optional<ModalCall> m_modal;
-    /// Of programs that the texts do not hold. Their many names are looked for once, not at each call.
+    /// Files of programs that the texts do not contain. Their many possible names are searched once, not at
+    /// each call.
     std::unordered_map<std::string, ProgramFile> m_files;
     std::size_t m_rest = 0;
 };

@@ -12,13 +12,13 @@ namespace proveout {
 
 namespace {
 
-/// What the beginning of a line says about the order of blocks.
+/// The parts of the beginning of a line that matter for the order of blocks.
 struct Head {
     std::optional<long long> program;
     std::string_view name; ///< of a program, between < and >
     std::optional<long long> label;
     std::optional<MacroStatement> statement;
-    bool orders = false; ///< something behind them is carried out
+    bool orders = false; ///< whether there is something to execute after them
 };
 
 std::optional<long long> wholeNumber(std::string_view line, std::size_t& at) {
@@ -73,8 +73,8 @@ std::optional<long long> loopOf(std::string_view line, const MacroStatement& sta
     return wholeNumber(line, at);
 }
 
-/// The loops that are open, by the numbers of their DO. Loops lie within one another: one that ends takes
-/// those within it, which never ended, along.
+/// The open loops, by the numbers of their DO. Loops are nested: an END also closes the loops within its loop
+/// that never ended.
 class OpenLoops {
 public:
     void clear() {
@@ -87,7 +87,7 @@ public:
         m_open.push_back({number, row});
     }
 
-    /// The row of the last loop of that number, which is open no longer; nothing where there is none.
+    /// The row of the last loop of that number, which is closed by this; nothing if there is none.
     std::optional<std::size_t> end(long long number) {
         const auto found = m_places.find(number);
         if (found == m_places.end() || found->second.empty())
@@ -110,7 +110,7 @@ private:
         std::size_t row;
     };
     std::vector<Open> m_open;
-    std::unordered_map<long long, std::vector<std::size_t>> m_places; ///< in m_open, of each number
+    std::unordered_map<long long, std::vector<std::size_t>> m_places; ///< by number: indices into m_open
 };
 
 } // namespace
@@ -118,7 +118,7 @@ private:
 MacroIndex::MacroIndex(const NcText& text) {
     OpenLoops open;
     m_programs.push_back({});
-    bool begun = false; ///< an O-word, or something that is carried out without one, was seen
+    bool begun = false; ///< whether an O-word, or something to execute without one, was seen
     for (std::size_t line = 0; line < text.lineCount(); ++line) {
         const std::string_view content = text.line(line);
         const Head head = headOf(content);

@@ -20,7 +20,7 @@ public:
 
     explicit MacroIndex(const NcText& text);
 
-    /// Whether the text has neither a program's number nor block numbers nor loops.
+    /// Whether the text has neither program numbers nor block numbers nor loops.
     [[nodiscard]] bool empty() const {
         return m_programs.size() == 1 && m_programs.front().number < 0 && m_programs.front().name.empty() &&
                m_labels.empty() && m_loops.empty();
@@ -33,19 +33,19 @@ public:
         std::size_t first = 0;
         std::size_t end = 0;
     };
-    /// The first program of that number, or name; null where there is none.
+    /// The first program with that number, or name; null if there is none.
     [[nodiscard]] const Range* program(long long number) const;
     [[nodiscard]] const Range* program(std::string_view name) const;
     [[nodiscard]] const Range& programOf(std::size_t line) const;
 
     /// The line with block number `number` that a jump from `line` finds: the next one in the same program,
-    /// else the first one from its beginning. kNone where there is none.
+    /// otherwise the first one from its beginning. kNone if there is none.
     [[nodiscard]] std::size_t block(long long number, std::size_t line) const;
 
     /// Whether the program of a line has a block number more than once.
     [[nodiscard]] bool repeated(long long number, std::size_t line) const;
 
-    /// The END of the DO or WHILE in a line, the DO or WHILE of the END in it; kNone where there is none.
+    /// The END of the DO or WHILE in a line, or the DO or WHILE of the END in it; kNone if there is none.
     [[nodiscard]] std::size_t partner(std::size_t line) const;
 
 private:
@@ -53,7 +53,7 @@ private:
         long long number;
         std::size_t line;
 
-        // clang-tidy 14 takes the default for a null pointer.
+        // clang-tidy 14 mistakes the default for a null pointer.
         auto operator<=>(const Label&) const = default; // NOLINT(modernize-use-nullptr)
     };
     struct Loop {

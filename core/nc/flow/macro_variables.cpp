@@ -28,7 +28,7 @@ double cycleCode(const MachineState& s) {
     return isCycle(s.motion) ? s.motion->tenths / 10.0 : 80.0;
 }
 
-/// Modal groups of the control and ours, by number.
+/// The modal groups of the control and the matching ones of this program, by number.
 struct GroupVariable {
     int number;
     ModalGroup group;
@@ -56,7 +56,7 @@ constexpr ModalValue kModal[] = {
     {4004, [](const MachineState&) { return 23.0; }},
     {4009, cycleCode},
     {4015, [](const MachineState& s) { return s.pathControl; }},
-    // Codes of these groups are not carried out, so that what ends them is in force: normal direction
+    // Codes of these groups are not executed, so the codes that cancel them are in force: normal direction
     // control, in-feed control, polar coordinate interpolation.
     {4019, [](const MachineState&) { return 40.1; }},
     {4020, [](const MachineState&) { return 160.0; }},
@@ -76,18 +76,19 @@ constexpr ModalValue kModal[] = {
          return std::max(0.0, static_cast<double>(s.workOffset - kStandardSystems));
      }},
 };
-constexpr int kFirstRunning = 4201; ///< of the block that runs, beside those of the block before
+constexpr int kFirstRunning = 4201; ///< the first number for the current block, besides those for the block
+                                    ///< before
 constexpr int kLastRunning = 4330;
 constexpr int kRunningOffset = 200;
 
 constexpr int kAxes = 3;
-constexpr int kBlockEnd = 5001;      ///< end of the block before, in work coordinates
+constexpr int kBlockEnd = 5001;      ///< end position of the previous block, in work coordinates
 constexpr int kMachine = 5021;       ///< machine coordinates
-constexpr int kWork = 5041;          ///< work coordinates, as they are shown
+constexpr int kWork = 5041;          ///< work coordinates, as displayed
 constexpr int kSkip = 5061;          ///< where G31 stopped
 constexpr int kLengthInForce = 5081; ///< tool length offset
 
-/// The axis of a variable in a row that begins at `first`; nothing where it stands elsewhere.
+/// The axis of a variable in a range that begins at `first`; nothing if it is outside the range.
 std::optional<int> axisOf(int number, int first) {
     return number >= first && number < first + kAxes ? std::optional(number - first) : std::nullopt;
 }
@@ -114,7 +115,7 @@ std::optional<double> MacroVariables::ofRegister(int number) const {
     return value ? std::optional(m_state.fromMm(*value)) : std::nullopt;
 }
 
-/// What only Haas' controls have.
+/// Variables that only Haas's controls have.
 std::optional<double> MacroVariables::ofHaas(int number) const {
     constexpr int kTool = 3026;
     constexpr int kSpindle = 3027;
@@ -209,7 +210,7 @@ void MacroVariables::write(int number, double value, Program& program, std::uint
 }
 
 MacroVariables::Writing MacroVariables::writing(int number) const {
-    // Of Haas' pallets some have numbers that elsewhere are those of work offsets.
+    // Some of Haas's pallet variables have numbers that are work offsets on other controls.
     if (m_dialect.hasMonitors && (isMonitorOfHaas(number) || isSettingOfHaas(number)))
         return Writing::ignored;
     if (isWorkOffset(number) || OffsetRegisters::place(m_dialect, number))

@@ -28,8 +28,8 @@ public:
     [[nodiscard]] double leastUnit() const override;
 
     enum class Writing : std::uint8_t {
-        stored,  ///< by its number, as any other
-        ignored, ///< a setting of the machine without a path of its own
+        stored,  ///< by its number, like any other variable
+        ignored, ///< a setting of the machine that does not affect the path
         offset,  ///< write(): it takes effect at once
         readOnly,
         alarm, ///< #3000: the program ends
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] Writing writing(int number) const;
     /// The number under which a variable is stored.
     [[nodiscard]] int storedAs(int number) const;
-    /// Of offsets, in the unit of the program.
+    /// Writes an offset, in the unit of the program.
     void write(int number, double value, Program& program, std::uint32_t line);
 
 private:

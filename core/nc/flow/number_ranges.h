@@ -6,7 +6,7 @@
 
 namespace proveout {
 
-/// Numbers of variables, both ends among them.
+/// Numbers of variables, including both ends.
 struct NumberRange {
     int first;
     int last;

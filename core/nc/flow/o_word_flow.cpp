@@ -60,7 +60,7 @@ bool OWordFlow::run(const FlowWord& word) {
         return branch(word);
     case FlowKind::elseIf:
     case FlowKind::elses: {
-        // Reached by running: the branch before it was taken.
+        // Reached in sequence, so the previous branch was executed.
         const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endIf));
         if (end)
             m_calls.jump(*end + 1);
@@ -144,7 +144,7 @@ std::optional<std::size_t> OWordFlow::partner(const FlowWord& word, std::size_t 
 }
 
 bool OWordFlow::beginSub(const FlowWord& word) {
-    // Calls begin behind this line; who comes here by running passes the subprogram over.
+    // Calls begin after this line; reaching it in sequence skips the subprogram.
     const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endSub));
     if (end)
         m_calls.jump(*end + 1);
@@ -197,9 +197,9 @@ bool OWordFlow::endSub(const FlowWord& word) {
     const bool given = at < m_calls.currentText().size() && m_calls.currentText()[at] == '[';
     const std::optional<double> value = given ? bracket(word, at) : std::nullopt;
     const bool readable = given == value.has_value() && nothingBehind(at);
-    // Whatever its value is, the subprogram ends here: the lines that follow are not its own.
+    // The subprogram ends here, whatever the value: the following lines do not belong to it.
     m_calls.leave();
-    // The names are LinuxCNC's.
+    // The names are defined by LinuxCNC.
     return readable && m_parameters.setNamed("_value", value.value_or(0)) &&
            m_parameters.setNamed("_value_returned", value ? 1 : 0);
 }
@@ -222,7 +222,7 @@ bool OWordFlow::branch(const FlowWord& word) {
     return taken.has_value();
 }
 
-/// LinuxCNC computes the conditions that it passes over as well, and stops where it cannot.
+/// LinuxCNC also evaluates the conditions that it skips, and stops if it cannot.
 bool OWordFlow::conditionsReadable() {
     const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
     while (row != nullptr) {
@@ -265,7 +265,7 @@ bool OWordFlow::endLoop(const FlowWord& word) {
     return true;
 }
 
-/// LinuxCNC then goes twice through a "repeat" that it comes to, but not through every one.
+/// In this case LinuxCNC executes twice a "repeat" that it reaches, but not every one.
 void OWordFlow::continueDo(const FlowWord& word, const FlowLine& loop) {
     const bool mayRepeat = m_calls.flowIndex().repeats() || !m_calls.inMainText();
     if (mayRepeat && !m_calls.isAgain())
@@ -304,7 +304,8 @@ bool OWordFlow::endRepeat(const FlowWord& word) {
     return leaveRepeat(*begin);
 }
 
-/// LinuxCNC looks for the end of the loop then, and refuses a break or continue with its label on the way.
+/// In this case LinuxCNC searches for the end of the loop, and refuses a break or continue with its label on
+/// the way.
 bool OWordFlow::leaveRepeat(std::size_t begin) {
     const FlowLine* row = m_calls.flowIndex().at(begin);
     if (row == nullptr || row->jump == FlowLine::kNone)

@@ -14,7 +14,7 @@
 
 namespace proveout {
 
-/// Carries out the subprograms, branches and loops of LinuxCNC. Source: its documentation of O-codes. Keeps
+/// Executes the subprograms, branches and loops of LinuxCNC. Source: its documentation of O-codes. Keeps
 /// references to its arguments.
 class OWordFlow {
 public:
@@ -24,10 +24,10 @@ public:
     OWordFlow(CallStack& calls, Parameters& parameters, const ReadContext& context, Reporter& reporter)
         : m_calls(calls), m_parameters(parameters), m_context(context), m_reporter(reporter) {}
 
-    /// Carries out the O-word of the line that the call stack has just left. False, and told, where it cannot
-    /// be.
+    /// Executes the O-word of the line that the call stack has just passed. False, and reported, if it is not
+    /// possible.
     [[nodiscard]] bool run(const FlowWord& word);
-    /// Carries out what a block asked for. False, and told, where it cannot be. A return from the main
+    /// Executes the request of a block. False, and reported, if it is not possible. A return from the main
     /// program is left to the caller.
     [[nodiscard]] bool run(const FlowRequest& request);
 

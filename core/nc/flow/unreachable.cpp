@@ -14,7 +14,7 @@ namespace proveout {
 
 namespace {
 
-/// The block numbers that jumps of a text name.
+/// The block numbers that the jumps of a text name.
 class Targets {
 public:
     explicit Targets(const NcText& text) {
@@ -32,7 +32,7 @@ private:
             if (c == 'G' && readKeyword(line, behind, "GOTO"))
                 add(line, behind);
             else if (c == 'P')
-                add(line, at + 1); // of M97 and M99, and of what else has a P
+                add(line, at + 1); // of M97 and M99, and of other codes with a P
         }
     }
 
@@ -44,7 +44,7 @@ private:
     }
 
     std::set<double> m_numbers;
-    bool m_computed = false; ///< any number may be meant
+    bool m_computed = false; ///< a jump may have any number as its target
 };
 
 enum class Role { nothing, entry, labelled, plain };
@@ -54,7 +54,7 @@ struct Content {
     double label = 0;
 };
 
-/// Whether a statement that is no jump stands there: of a loop, perhaps.
+/// Whether there is a statement other than a jump at this place: perhaps one of a loop.
 bool mayEnterLoop(std::string_view line, std::size_t at, MacroLanguage macros) {
     if (macros != MacroLanguage::macroB)
         return false;
@@ -62,7 +62,7 @@ bool mayEnterLoop(std::string_view line, std::size_t at, MacroLanguage macros) {
     return statement && statement->kind != StatementKind::gotoBlock;
 }
 
-/// What a line is to one who looks for a way to it.
+/// What a line means for the search for a way to it.
 Content contentOf(std::string_view line, MacroLanguage macros) {
     std::size_t at = skipBlanks(line, 0);
     if (macros != MacroLanguage::macroB && hasFlowWord(line))

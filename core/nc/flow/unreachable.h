@@ -11,15 +11,15 @@
 
 namespace proveout {
 
-/// Lines of a text to which nothing leads, because the line before them always goes elsewhere. What M2 and
-/// M30 leave behind is not among them: that is told where the program ends.
+/// Lines of a text that cannot be reached, because the line before them always jumps elsewhere. Lines after
+/// M2 and M30 are not included: they are reported where the program ends.
 class Unreachable {
 public:
-    /// A line, 0-based, was carried out and always leads elsewhere: GOTO, M99, return.
+    /// A line, 0-based, was executed and always jumps elsewhere: GOTO, M99, return.
     void leaves(std::size_t line) { m_leaving.insert(line); }
 
-    /// The first line behind each of those that nothing leads to, with the one that leaves. Linear in the
-    /// text where there are any.
+    /// The first line of each unreachable part, with the line that always jumps past it. Linear in the text
+    /// if there are any.
     [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> find(const NcText& text,
                                                                         MacroLanguage macros) const;
 

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Ends that are one point make a full circle. What lies between that and a visible distance is decided by
-/// the exact geometry: a hair's breadth or nearly a full circle.
+/// Ends that are one point make a full circle. Between that and a visible distance, the exact geometry
+/// decides: a tiny arc or nearly a full circle.
 double sweepAbout(const Vec2& centre, const ArcEnds& ends, double samePoint) {
     const Vec2 from = ends.start - centre;
     const Vec2 to = ends.end - centre;
-    // One angle instead of a difference of two: flat arcs about far centres keep their digits.
+    // One angle instead of a difference of two, so that flat arcs about far centres keep their digits.
     double sweep = std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
-    // Wherever within the tolerance the end lies, the sweep leads to it.
+    // The sweep leads to the end, wherever within the tolerance the end is.
     if (glm::length(ends.end - ends.start) <= samePoint)
         return sweep + (ends.clockwise ? -kTurn : kTurn);
     if (ends.clockwise && sweep >= 0)
@@ -67,8 +67,8 @@ tl::expected<Arc, ArcProblem> arcOfRadius(double radius, const ArcEnds& ends,
     const double size = std::abs(radius);
     if (half - size > tolerances.radius)
         return tl::unexpected(ArcProblem{ArcFault::radiusSmall, size, half});
-    // The centre lies on the left of the chord for a short counter-clockwise arc and a long clockwise one. A
-    // radius that is a hair too short puts it on the middle of the chord.
+    // The centre is to the left of the chord for a short counter-clockwise arc and a long clockwise one. With
+    // a radius that is slightly too short it is on the middle of the chord.
     const double squared = (size - half) * (size + half);
     const double height = squared > 0 ? std::sqrt(squared) : 0.0;
     const bool left = (radius > 0) != ends.clockwise;
@@ -76,7 +76,7 @@ tl::expected<Arc, ArcProblem> arcOfRadius(double radius, const ArcEnds& ends,
     const Vec2 centre = ends.start + chord / 2.0 + normal * (left ? height : -height);
     if (height == 0)
         return Arc{centre, ends.clockwise ? -kTurn / 2 : kTurn / 2};
-    // From the triangle, not from the rounded centre: half the angle over the chord.
+    // Computed from the triangle, not from the rounded centre: half the angle over the chord.
     const double angle = 2 * std::atan2(half, height);
     const double sweep = radius > 0 ? angle : kTurn - angle;
     return Arc{centre, ends.clockwise ? -sweep : sweep};

@@ -11,23 +11,24 @@
 
 namespace proveout {
 
-/// How far an arc may be off. Sources: LinuxCNC, whose limits are round numbers in the unit of the program;
-/// grbl; the RS274/NGC interpreter of NIST, version 3.
+/// The permitted inaccuracy of an arc. Sources: LinuxCNC, whose limits are round numbers in the unit of the
+/// program; grbl; the RS274/NGC interpreter of NIST, version 3.
 struct ArcTolerances {
-    double radius;           ///< a smaller radius is none; R may be short by this much
+    double radius;           ///< a smaller radius is invalid; R may be short by this much
     double difference;       ///< between the radii at both ends: always allowed
-    double relative;         ///< of the larger radius: allowed beyond that …
+    double relative;         ///< relative to the larger radius: allowed beyond that …
     double mostDifference;   ///< … up to this much
-    double samePoint = 5e-9; ///< ends closer than this are one: what adding up increments may leave behind
+    double samePoint = 5e-9; ///< ends closer than this count as one: the rounding that adding up increments
+                             ///< may leave
 };
 [[nodiscard]] ArcTolerances arcTolerances(ArcRule rule, bool inch);
 
 enum class ArcFault : std::uint8_t { zeroRadius, endsDiffer, fullWithRadius, radiusSmall };
 
-/// Why there is no arc, with the lengths that show it.
+/// Why there is no arc, with the lengths involved.
 struct ArcProblem {
     ArcFault fault;
-    double startRadius = 0; ///< radiusSmall: the radius given
+    double startRadius = 0; ///< radiusSmall: the given radius
     double endRadius = 0;   ///< radiusSmall: half the distance of the ends
 };
 
@@ -36,7 +37,7 @@ struct Arc {
     double sweep; ///< signed, counter-clockwise positive, up to a full turn
 };
 
-/// The ends of an arc and its sense.
+/// The ends of an arc and its direction.
 struct ArcEnds {
     Vec2 start;
     Vec2 end;
@@ -47,7 +48,7 @@ struct ArcEnds {
 [[nodiscard]] tl::expected<Arc, ArcProblem> arcAbout(const Vec2& centre, const ArcEnds& ends,
                                                      const ArcTolerances& tolerances);
 
-/// The arc of a radius; a negative one sweeps more than half a turn.
+/// The arc with a given radius; a negative one sweeps more than half a turn.
 [[nodiscard]] tl::expected<Arc, ArcProblem> arcOfRadius(double radius, const ArcEnds& ends,
                                                         const ArcTolerances& tolerances);
 

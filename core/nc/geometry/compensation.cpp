@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTurn = 2 * kPi;
-/// Corners flatter than this are not joined by anything.
+/// Nothing is inserted at corners flatter than this.
 constexpr double kFlatCorner = 0.05;
-/// An arc with less of a radius has no headings that could be computed.
+/// The headings of an arc with a smaller radius cannot be computed.
 constexpr double kLeastRadius = 1e-6;
-/// In turns: an arc of exactly one turn is none of two.
+/// In turns: an arc of exactly one turn must not count as more than one.
 constexpr double kTurnRounding = 1e-9;
 
 Vec2 leftOf(const Vec2& heading) {
@@ -30,23 +30,23 @@ Vec2 headingAt(const PlanePath& arc, const Vec2& point) {
     return leftOf(glm::normalize(point - arc.centre)) * std::copysign(1.0, arc.sweep);
 }
 
-/// The full turns of an arc beyond its last one.
+/// The number of full turns of an arc before its last one.
 double fullTurns(double sweep) {
     return std::max(0.0, std::ceil(std::abs(sweep) / kTurn - kTurnRounding) - 1);
 }
 
-/// Where the radius at its ends differs, the one at its end counts.
+/// If the radius at its ends differs, the one at its end counts.
 double arcRadius(const PlanePath& arc) {
     return glm::distance(arc.end, arc.centre);
 }
 
-/// How far the start of an arc lies inside the circle that counts. LinuxCNC moves it out there first.
+/// How far the start of an arc is inside the circle that counts. LinuxCNC first moves it out to that circle.
 Vec2 slip(const PlanePath& arc) {
     const Vec2 spoke = arc.centre - arc.start;
     return glm::normalize(spoke) * (arcRadius(arc) - glm::length(spoke));
 }
 
-/// The point in which a line enters a circle, or the farther one in which it leaves it.
+/// The point where a line enters a circle, or the farther one where it leaves it.
 std::optional<Vec2> onLine(const Vec2& point, const Vec2& heading, const PlanePath& arc, bool farther) {
     const double radius = arcRadius(arc);
     const double foot = glm::dot(arc.centre - point, heading);
@@ -57,9 +57,9 @@ std::optional<Vec2> onLine(const Vec2& point, const Vec2& heading, const PlanePa
     return point + heading * (foot + (farther ? half : -half));
 }
 
-/// Where an arc ends and a line begins. LinuxCNC takes the centre to be as far from the programmed corner as
-/// the radius of the programmed arc; for a motion into compensation with its centre beyond the end it is not,
-/// and the line begins elsewhere than beside itself.
+/// Where an arc ends and a line begins. LinuxCNC assumes that the distance of the centre from the programmed
+/// corner is the radius of the programmed arc; for a motion into compensation with its centre beyond the end
+/// this is not so, and the line begins at another place than beside its start.
 std::optional<Vec2> arcMeetsLine(const PlanePath& before, const PlanePath& after, double offset) {
     const bool outside = roundOutside(before, offset);
     const double radius = arcRadius(before);
@@ -85,7 +85,7 @@ std::optional<Vec2> lineMeetsLine(const PlanePath& before, const PlanePath& afte
     return before.end + first * (cross(after.start - before.end, second) / sine);
 }
 
-/// Of the two points in which circles meet, the one that goes over into the corner for a small tool.
+/// Of the two points where circles meet, the one that approaches the corner for a small tool.
 std::optional<Vec2> arcMeetsArc(const PlanePath& before, const PlanePath& after, double offset) {
     const double firstRadius = arcRadius(before);
     const double secondRadius = arcRadius(after);
@@ -151,8 +151,8 @@ Corner cornerBetween(const PlanePath& before, const Vec2& heading, const PlanePa
     double turn = -side * std::atan2(cross(heading, next), glm::dot(heading, next));
     if (turn <= kFlatCorner - kPi)
         turn += kTurn;
-    // Straight back along or beside the path that it came: an arc that curves away from the tool lies where
-    // the tool has to go.
+    // Straight back along or beside the previous path: an arc that curves away from the tool is in the tool's
+    // way.
     const bool back = turn > kPi - kFlatCorner;
     const bool inTheWay =
         after.arc() ? roundOutside(after, offset) : before.arc() && roundOutside(before, offset);

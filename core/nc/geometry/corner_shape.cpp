@@ -11,7 +11,7 @@ namespace proveout {
 namespace {
 
 constexpr double kStraightOn = std::numbers::pi / 180;
-/// By which a path may be too short for what rounding leaves, in mm.
+/// Tolerance for the rounding of path lengths, in mm.
 constexpr double kRounding = 1e-9;
 
 double cross(const Vec2& a, const Vec2& b) {
@@ -30,7 +30,8 @@ Vec2 turned(const Vec2& v, double angle) {
     return {v.x * std::cos(angle) - v.y * std::sin(angle), v.x * std::sin(angle) + v.y * std::cos(angle)};
 }
 
-/// The point at `length` from `corner` on a path that leaves it with `heading`, and has so much left.
+/// The point at `length` from `corner` on a path that leaves it with `heading`; nothing if the path is
+/// shorter.
 std::optional<Vec2> pointAtDistance(const PlanePath& path, const Vec2& corner, const Vec2& heading,
                                     double length) {
     if (!path.arc()) {
@@ -48,7 +49,7 @@ std::optional<Vec2> pointAtDistance(const PlanePath& path, const Vec2& corner, c
     return path.centre + turned(spoke, std::copysign(angle, cross(spoke, heading)));
 }
 
-/// The point of a path, or of what it is a part of, nearest to the centre of an arc that touches it.
+/// The point of a path's line or circle nearest to the centre of an arc that touches it.
 Vec2 touching(const PlanePath& path, const Vec2& centre) {
     if (path.arc())
         return path.centre + glm::normalize(centre - path.centre) * glm::distance(path.start, path.centre);
@@ -56,7 +57,7 @@ Vec2 touching(const PlanePath& path, const Vec2& centre) {
     return path.start + along * glm::dot(centre - path.start, along);
 }
 
-/// Whether a point that lies on the whole line or circle lies on the path.
+/// Whether a point on the line or circle of a path is on the path itself.
 bool liesOn(const PlanePath& path, const Vec2& point) {
     if (path.arc()) {
         const double sense = std::copysign(1.0, path.sweep);
@@ -83,7 +84,7 @@ std::optional<PlanePath> chamferBetween(const PlanePath& before, const PlanePath
 }
 
 std::optional<PlanePath> roundingBetween(const PlanePath& before, const PlanePath& after, double radius) {
-    // The centre lies where a tool of that radius would stand in the corner.
+    // The centre is the position of a tool with that radius in the corner.
     const double side = std::copysign(1.0, turnBetween(before, after));
     const double offset = side * radius;
     if (!offsetPath(before, offset) || !offsetPath(after, offset))

@@ -10,15 +10,15 @@ namespace proveout {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// In radians: blocks that turn by less go straight on; meeting points would lie anywhere.
+/// In radians: blocks that turn by less count as straight, because their meeting points would be arbitrary.
 constexpr double kStraight = 1e-6;
-/// A right angle, and what rounding leaves of one.
+/// A right angle, with a tolerance for rounding.
 constexpr double kObtuse = kPi / 2 + 1e-9;
-/// Sharper start-up corners of lines are not rounded by type B.
+/// Type B does not round sharper start-up corners of lines.
 constexpr double kSharpest = kPi - kPi / 180;
-/// What circles may miss each other by and still touch, as a part of their radius.
+/// The distance by which circles may miss each other and still touch, relative to their radius.
 constexpr double kTouching = 1e-9;
-/// Points closer than this, in mm, are one.
+/// Points closer than this, in mm, count as one.
 constexpr double kSamePoint = 1e-9;
 
 double cross(const Vec2& a, const Vec2& b) {
@@ -34,13 +34,13 @@ double angleFrom(const Vec2& a, const Vec2& b) {
     return std::atan2(cross(a, b), glm::dot(a, b));
 }
 
-/// A corner as the tool sees it.
+/// A corner as seen from the tool.
 struct Joint {
     Vec2 point; ///< programmed
     Vec2 heading;
     Vec2 next;
-    Vec2 ended;  ///< square beside the end of the first block
-    Vec2 begun;  ///< square beside the beginning of the second
+    Vec2 ended;  ///< at a right angle beside the end of the first block
+    Vec2 begun;  ///< at a right angle beside the beginning of the second
     double turn; ///< towards the tool
     bool inside;
 };
@@ -50,7 +50,8 @@ double curvature(const PlanePath& path, const Vec2& point) {
     return path.arc() ? std::copysign(1.0, path.sweep) / glm::distance(point, path.centre) : 0.0;
 }
 
-/// Straight back, the corner is an inside one where the paths curve so that the tool is between them.
+/// Whether the corner is an inside one; if the path turns straight back, it is one if the paths curve so that
+/// the tool is between them.
 bool isInside(const PlanePath& before, const PlanePath& after, double side, double turn) {
     if (std::abs(turn) < kPi - kStraight)
         return turn > 0;
@@ -71,7 +72,7 @@ Joint jointOf(const PlanePath& before, const PlanePath& after, double offset) {
             isInside(before, after, side, turn)};
 }
 
-/// An offset path near a corner: a line, or the circle through the point beside it.
+/// An offset path near a corner: a line, or the circle through the point beside the corner.
 struct Curve {
     Vec2 point;
     Vec2 heading;
@@ -80,7 +81,7 @@ struct Curve {
 
     [[nodiscard]] bool arc() const { return sense != 0; }
     [[nodiscard]] double radius() const { return glm::distance(point, centre); }
-    /// How far before `point` the path comes by `place`; what rounding puts behind it is at it.
+    /// How far before `point` the path passes `place`; places that rounding moves beyond the point are at it.
     [[nodiscard]] double wayFrom(const Vec2& place) const {
         if (!arc())
             return glm::dot(point - place, heading);
@@ -89,7 +90,7 @@ struct Curve {
     }
 };
 
-/// The points in which two curves meet.
+/// The points where two curves meet.
 class Meetings {
 public:
     Meetings(const Curve& a, const Curve& b) {
@@ -108,7 +109,7 @@ public:
                                                                                       : m_points[1];
     }
 
-    /// The last one on the way to the corner.
+    /// The last one before the corner.
     [[nodiscard]] std::optional<Vec2> lastOn(const Curve& before) const {
         if (m_count == 0)
             return {};
@@ -163,8 +164,8 @@ Curve curveOf(const PlanePath& path, const Vec2& point, const Vec2& heading) {
     return {point, heading, path.arc() ? std::copysign(1.0, path.sweep) : 0.0, path.centre};
 }
 
-/// Tangents at the corner stand for arcs. They are extended until they meet, or by the radius each where that
-/// is too far away.
+/// Arcs are replaced by their tangents at the corner. The tangents are extended until they meet, or each by
+/// the radius if that is too far away.
 CornerPoints outsidePoints(const PlanePath& before, const PlanePath& after, const Joint& joint,
                            double offset) {
     CornerPoints points;
@@ -188,7 +189,7 @@ CornerPoints onePoint(const Vec2& point) {
     return points;
 }
 
-/// Whether type B rounds the corner between compensation and what is not compensated.
+/// Whether type B rounds the corner between a compensated and an uncompensated block.
 bool isRounded(const PlanePath& before, const PlanePath& after, const Joint& joint) {
     const bool lines = !before.arc() && !after.arc();
     return !joint.inside && std::abs(joint.turn) >= kStraight && !(lines && std::abs(joint.turn) > kSharpest);

@@ -10,7 +10,7 @@ namespace proveout {
 
 namespace {
 
-/// A point of a rational curve: x and y times the weight, and the weight.
+/// A point of a rational curve: x and y multiplied by the weight, and the weight.
 using Weighted = Vec3;
 
 Weighted weighted(const ControlPoint& point) {
@@ -49,8 +49,8 @@ private:
     std::size_t m_order;
 };
 
-/// The polar form of the piece between the knots `span` and `span` + 1: its first arguments are `second`
-/// times the upper knot, all others the lower one.
+/// The polar form of the piece between the knots `span` and `span` + 1: its first `upper` arguments are the
+/// upper knot, all others the lower one.
 Weighted polarForm(const Spline& spline, const Knots& knots, std::size_t span, std::size_t upper) {
     const auto degree = static_cast<std::size_t>(spline.order) - 1;
     const std::size_t first = span; // the piece depends on the points span … span + degree
@@ -107,9 +107,9 @@ Halves halved(const Bezier& curve) {
     return halves;
 }
 
-/// False where there are too many points.
+/// False if there are too many points.
 bool appendFlattened(const Bezier& curve, double chordError, std::vector<Vec2>& points) {
-    // Deeper than the digits of a number, halving changes nothing any more.
+    // At this depth, halving no longer changes a number of this precision.
     constexpr std::size_t kDeepest = 50;
     std::vector<Bezier> rest{curve};
     while (!rest.empty()) {

@@ -10,9 +10,9 @@
 
 namespace proveout {
 
-/// The limit of the straight motions of one spline.
+/// The largest number of straight motions of one spline.
 inline constexpr std::size_t kMostSplinePoints = 100'000;
-/// The order of a spline is its degree plus one. LinuxCNC's own evaluation doubles its work with each.
+/// The order of a spline is its degree plus one. The work of LinuxCNC's own evaluation doubles with each.
 inline constexpr int kLeastSplineOrder = 3;
 inline constexpr int kMostSplineOrder = 16;
 
@@ -21,17 +21,17 @@ struct ControlPoint {
     double weight = 1; ///< greater than 0
 };
 
-/// A clamped B-spline on LinuxCNC's knots 0 … 0, 1, 2 … m … m, each end as often as the order says: it begins
-/// in the first control point and ends in the last. With as many points as the order it is one Bézier curve.
+/// A clamped B-spline on LinuxCNC's knots 0 … 0, 1, 2 … m … m, where each end is repeated `order` times: it
+/// begins in the first control point and ends in the last. With `order` points it is one Bézier curve.
 struct Spline {
     std::vector<ControlPoint> points; ///< at least `order` of them
     int order = kLeastSplineOrder;
 };
 
 /// The points of a polyline within `chordError` of the spline, from the second one on; the last is the last
-/// control point to the last bit. Nothing where it would have more than kMostSplinePoints. Source: knot
+/// control point to the last bit. Nothing if it would have more than kMostSplinePoints. Source: knot
 /// insertion by polar forms (Ramshaw), subdivision of rational Bézier curves until their control points, and
-/// so the curve within their hull, lie close to their chord.
+/// so the curve within their hull, are close to their chord.
 [[nodiscard]] std::optional<std::vector<Vec2>> flattened(const Spline& spline, double chordError);
 
 } // namespace proveout

@@ -9,37 +9,37 @@
 namespace proveout {
 
 /// Mirror image, scaling and rotation of program coordinates, in the order in which the control applies them.
-/// Each has its centre in the coordinates that those before it give. Lengths in mm. A value. Source: FANUC's
-/// operator's manuals, programmable mirror image.
+/// The centre of each is in the coordinates that result from those before it. Lengths in mm. A value. Source:
+/// FANUC's operator's manuals, programmable mirror image.
 struct Transformation {
     std::uint8_t mirrored = 0; ///< AxisBits, G51.1
     bool scaled = false;       ///< G51
     bool turned = false;       ///< G68
     Plane plane = Plane::xy;   ///< of the rotation
     Vec3 mirrorAt{0};
-    Vec3 factors{1}; ///< none is 0
+    Vec3 factors{1}; ///< never 0
     Vec3 scaleAt{0};
     Vec3 turnAt{0};
     double degrees = 0; ///< right-handed about the normal of the plane
-    /// AxisBits of centres that were to lie where the tool stood, which nobody knew.
+    /// AxisBits of centres that should have been at the position of the tool, which was unknown.
     std::uint8_t scaleUnknown = 0;
     std::uint8_t turnUnknown = 0;
 
     [[nodiscard]] bool any() const { return mirrored != 0 || scaled || turned; }
-    /// Of axes whose place depends on more than their own words.
+    /// Axes whose position depends on more than their own words.
     [[nodiscard]] std::uint8_t mixedAxes() const;
-    /// Of axes whose place depends on a centre that is not known.
+    /// Axes whose position depends on an unknown centre.
     [[nodiscard]] std::uint8_t unplacedAxes() const;
 
     [[nodiscard]] Vec3 apply(const Vec3& point) const;
     [[nodiscard]] Vec3 undo(const Vec3& point) const;
-    /// Mirror image alone, and together with scaling; axis by axis.
+    /// Mirror image alone, and combined with scaling; axis by axis.
     [[nodiscard]] Vec3 mirror(const Vec3& point) const;
     [[nodiscard]] Vec3 stretch(const Vec3& point) const;
-    /// What `stretch` gave, from what `apply` gave.
+    /// Converts the result of `apply` back to that of `stretch`.
     [[nodiscard]] Vec3 unturn(const Vec3& point) const;
 
-    /// Whether an arc in `arcs` turns round in the other sense.
+    /// Whether an arc in `arcs` reverses its direction.
     [[nodiscard]] bool flips(Plane arcs) const;
     /// Whether an arc in `arcs` stays a circle.
     [[nodiscard]] bool keepsCircles(Plane arcs) const;

@@ -27,7 +27,7 @@ void callProgram(Execution& execution, const Word& word) {
         return;
     }
     FlowRequest request{FlowRequest::Kind::call, 0, 1, block.word('P')};
-    // Q is among the words of this code where the control is Mach.
+    // On Mach, Q is among the words of this code.
     const char repeats = block.has('L') ? 'L' : 'Q';
     for (const char letter : {'P', repeats}) {
         const double most = letter == 'P' ? kMostNumber : kMostRuns;

@@ -45,7 +45,7 @@ void begin(Execution& execution, const Word& word, double offset, bool assumed =
     }
 }
 
-/// The tool that the D word names, or the one in the spindle; null where there is none, which is told.
+/// The tool that the D word names, or the one in the spindle; null, with a report, if there is none.
 const ToolOffset* toolAsked(Execution& execution, const Word& word) {
     double number = execution.state.tool;
     if (execution.block.has('D') && execution.block.value('D') != 0)

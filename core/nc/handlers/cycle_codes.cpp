@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The canned cycles G73 to G89 as the motions that they stand for, and G98, G99.
+// Converts the canned cycles G73 to G89 into their motions; also G98 and G99.
 #include <algorithm>
 
 #include "core/nc/codes/handlers.h"
@@ -29,7 +29,7 @@ bool spindleTurns(Execution& execution, const Word& word, SpindleNeed need) {
 }
 
 void reportReferenceInCycle(Execution& execution, const Word& word) {
-    // A motion code of the same block ends the cycle first, whatever the order of the steps.
+    // A motion code of the same block ends the cycle first, regardless of the order of the steps.
     const bool ends = std::ranges::any_of(execution.block.codes(), [&](const Word& code) {
         const CodeRow* row = execution.codes.find(code);
         return row != nullptr && !isCycle(row) &&

@@ -12,8 +12,8 @@ namespace proveout {
 
 namespace {
 
-// What the L word means.
-constexpr int kOldWear = 1; ///< as L11, for programs of older controls
+// Meanings of the L word.
+constexpr int kOldWear = 1; ///< same as L11, for programs of older controls
 constexpr int kSystem = 2;
 constexpr int kToolLife = 3;
 constexpr int kLength = 10;
@@ -22,7 +22,7 @@ constexpr int kAdditionalSystem = 20;
 constexpr int kParameters = 50;
 constexpr int kParametersToo = 52;
 
-/// The number of the P word; nothing where there is none within the limits, which is told.
+/// The number of the P word; nothing, with a report, if there is none within the limits.
 std::optional<int> numberOfData(Execution& execution, const Word& kind, int least, int most) {
     if (execution.block.has('P'))
         return wholeNumber(execution, execution.block.word('P'), least, most);
@@ -30,7 +30,7 @@ std::optional<int> numberOfData(Execution& execution, const Word& kind, int leas
     return {};
 }
 
-/// `system` 0 is what all of them have in common.
+/// `system` 0 is the offset that all of them share.
 void setSystem(Execution& execution, int system) {
     MachineState& state = execution.state;
     if (state.compensation.on && (system == 0 || system == state.workOffset)) {

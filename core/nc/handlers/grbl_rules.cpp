@@ -53,7 +53,7 @@ private:
                wholeNumber(m_execution, m_block.word('T'), 0, kLargestToolOfGrbl).has_value();
     }
 
-    /// G80 is of one group with the motions here.
+    /// On grbl, G80 is in one group with the motions.
     bool codesAgree() {
         const Word* motion = codeOf(ModalGroup::motion);
         const Word* off = codeOf(ModalGroup::motionOff);
@@ -64,7 +64,7 @@ private:
         return refuse(nc_message::kModalConflict, second, {nameOf(first), nameOf(second)});
     }
 
-    /// Every motion but G0 needs a feed, and where it has none its code does not come into force.
+    /// Every motion except G0 needs a feed; without one its code does not take effect.
     bool hasFeed() {
         const CodeRow* row = motionRow();
         if (row == nullptr || row->tenths < kFeedLine)
@@ -113,7 +113,7 @@ private:
         return wholeNumber(m_execution, m_block.word('P'), 0, kSystems).has_value();
     }
 
-    /// The motion that the block orders or that its axis words continue; null where there is none.
+    /// The motion that the block programs or that its axis words continue; null if there is none.
     [[nodiscard]] const CodeRow* motionRow() const {
         if (const Word* word = codeOf(ModalGroup::motion))
             return m_execution.codes.find(*word);
@@ -139,7 +139,7 @@ private:
                m_block.has(static_cast<char>('X' + axis.second));
     }
 
-    /// Where a message about the motion points.
+    /// The word that a message about the motion points to.
     [[nodiscard]] Word anyWord() const {
         if (const Word* word = codeOf(ModalGroup::motion))
             return *word;

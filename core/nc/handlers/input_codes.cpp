@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// M62 to M68: outputs and inputs, which only the machine has.
+// M62 to M68: outputs and inputs, which exist only on the machine.
 #include <cmath>
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace proveout {
 
 namespace {
 
-constexpr double kMostWait = 4; ///< kinds of waiting: at once, rise, fall, high, low
+constexpr double kMostWait = 4; ///< modes of waiting: at once, rise, fall, high, low
 
 bool given(const Block& block, char letter) {
     return block.has(letter) && block.value(letter) >= 0;
@@ -46,7 +46,7 @@ bool wordsFit(Execution& execution, const Word& word) {
 void waitForInput(Execution& execution, const Word& word) {
     if (!wordsFit(execution, word))
         return;
-    // As LinuxCNC without a machine: what was read before.
+    // Behaves as LinuxCNC without a machine: the value read before.
     const double before = execution.parameters.numbered(kInputParameter);
     const double value = execution.block.has('P') ? (before != 0 ? 1.0 : 0.0) : before;
     execution.parameters.setNumbered(kInputParameter, value);

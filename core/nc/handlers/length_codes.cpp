@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tool lengths: G43 and its like. The machine stands still; its tip is elsewhere afterwards.
+// Tool lengths: G43 and similar codes. The machine does not move; the position of its tip changes.
 #include <cmath>
 #include <string>
 
@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kLargestOffset = 99999;
 
-/// The number of the H word, or the tool in the spindle; told where it is none that the control knows.
+/// The tool of the H word, or the one in the spindle; null, with a report, if the control does not know it.
 const ToolOffset* offsetAsked(Execution& execution, const Word& word) {
     const bool given = execution.block.has('H');
     const Word& number = given ? execution.block.word('H') : word;
-    // H0 is the tool in the spindle.
+    // H0 means the tool in the spindle.
     const double whole = given && number.value != 0 ? number.value : execution.state.tool;
     if (whole < 0 || whole != std::round(whole) || whole > kLargestOffset) {
         execution.reporter.report(nc_message::kNotInteger, number,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Mach does otherwise than LinuxCNC and Fanuc. Source: Using Mach3Mill, chapter 10.
+// Where Mach differs from LinuxCNC and Fanuc. Source: Using Mach3Mill, chapter 10.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -23,7 +23,7 @@ bool inXyPlane(Execution& execution, const Word& word) {
     return false;
 }
 
-/// Along X by I, round the place where the tool stood, and back to it.
+/// Moves along X by I, around the position where the tool was, and back to it.
 void millCircle(Execution& execution, const Word& word, double turn) {
     if (!inXyPlane(execution, word))
         return;
@@ -50,7 +50,7 @@ void millCircle(Execution& execution, const Word& word, double turn) {
     appendMotion(execution, back);
 }
 
-/// False where the offset is 0, which is told.
+/// False, with a report, if the offset is 0.
 bool numberGiven(Execution& execution, const Word& word) {
     if (execution.block.has('H') && execution.block.value('H') != 0)
         return true;
@@ -118,7 +118,7 @@ void scaleByAxis(Execution& execution, const Word& word) {
             return;
         }
     }
-    // Words are scaled before anything else counts, so that the zero of the program stays where it is.
+    // Words are scaled before anything else, so that the program zero does not move.
     now.factors = factors;
     now.scaleAt = Vec3(0);
     now.scaled = true;

@@ -29,7 +29,7 @@ void switchCoolant(Execution& execution, Coolant coolant, bool on) {
     execution.program.append(CoolantSwitch{coolant, on}, execution.line);
 }
 
-/// A feed of one mode means nothing in another. To LinuxCNC, G94 without F asks for a new one in any case.
+/// A feed of one mode has no meaning in another. On LinuxCNC, G94 without F requires a new one in any case.
 void setFeedMode(Execution& execution, FeedMode mode) {
     const bool again = execution.dialect.feedModeEndsFeed && mode != FeedMode::inverseTime;
     if (execution.state.feedMode == mode && !again)
@@ -41,7 +41,7 @@ void setFeedMode(Execution& execution, FeedMode mode) {
         execution.state.feedNumber = 0;
 }
 
-/// The number of a tool, told where it is none.
+/// The number of a tool; nothing, with a report, if it is invalid.
 std::optional<int> toolNumber(Execution& execution, const Word& word) {
     const bool whole = std::abs(word.value - std::round(word.value)) < 1e-4;
     if (whole && word.value >= 0 && word.value <= kLargestTool)
@@ -146,7 +146,7 @@ void selectTool(Execution& execution, const Word& word) {
         return;
     const MachineState& state = execution.state;
     const int present = state.selectedTool < 0 ? state.tool : state.selectedTool;
-    if (!execution.dialect.changesTools && *number != 0 && *number != present) // T0 names none
+    if (!execution.dialect.changesTools && *number != 0 && *number != present) // T0 does not name a tool
         execution.reporter.report(nc_message::kToolNotChanged, word, {std::to_string(*number)});
     execution.state.selectedTool = *number;
 }
@@ -168,7 +168,7 @@ void changeTool(Execution& execution, const Word& word) {
         return;
     }
     execution.state.tool = execution.state.selectedTool;
-    // A tool is changed with the spindle at rest; M3 or M4 must follow.
+    // A tool change stops the spindle; M3 or M4 must follow.
     execution.state.spindleDirection = 0;
     execution.program.append(ToolChange{execution.state.tool}, execution.line);
 }

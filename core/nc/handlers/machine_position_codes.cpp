@@ -21,7 +21,7 @@ bool isStationary(const Motion& motion) {
     return motion.start == motion.end && motion.startKnown == motion.endKnown;
 }
 
-/// An increment of 0, as in G91 G28 Z0, goes nowhere, wherever the axis stands.
+/// An increment of 0, as in G91 G28 Z0, does not move the axis, wherever it is.
 bool goesNowhere(const Execution& execution) {
     for (int axis = 0; axis < 3; ++axis) {
         if (execution.block.has(letterOfAxis(axis)) && execution.block.value(letterOfAxis(axis)) != 0)
@@ -38,28 +38,28 @@ void goByWayOf(Execution& execution) {
         appendMotion(execution, motion);
 }
 
-/// Cutter compensation ends for the motion to the reference position and begins anew behind it.
+/// Cutter compensation ends for the motion to the reference position and starts again after it.
 void suspendCompensation(Execution& execution, const Word& word) {
     CutterCompensation& compensation = execution.state.compensation;
     if (!compensation.on)
         return;
     const PlaneAxes plane = axes(execution.state.plane);
-    // The manuals do not tell what becomes of the offset in axes that stand still.
+    // The manuals do not say what happens to the offset in axes that do not move.
     if (!execution.block.has(letterOfAxis(plane.first)) || !execution.block.has(letterOfAxis(plane.second)))
         execution.reporter.report(nc_message::kCompensationSuspended, word, {nameOf(word)});
     finishCompensated(execution, word);
     compensation.entered = compensation.held = false;
 }
 
-/// The control counts from the machine's zero to the spindle, the program's motions to the tip.
+/// Machine coordinates refer to the spindle, the program's motions to the tip.
 void sendTo(Execution& execution, Motion& motion, int axis, double value) {
     setMachineTarget(execution, motion, axis, value - execution.state.toolOffset[axis]);
     if (axis == kZ && !execution.state.machineZeroKnown)
         motion.endAtReference = value == 0;
 }
 
-/// By way of the point of the axis words to the first reference position, which is the machine's zero; where
-/// another one lies, nobody knows.
+/// Moves by way of the point of the axis words to the first reference position, which is machine zero; the
+/// position of any other one is unknown.
 void goToReference(Execution& execution, const Word& word, bool first) {
     reportReferenceInCycle(execution, word);
     const bool named = execution.block.letters().any(kAxisWords);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls of Fanuc's dialect: M97, M98, M99, G65, G66, G67. Source: FANUC's operator's manuals, Haas'.
+// Calls of Fanuc's dialect: M97, M98, M99, G65, G66, G67. Source: FANUC's operator's manuals, Haas's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kMostNumber = 99'999'999;
 constexpr int kMostRepeats = 9999;
-constexpr int kPacked = 10'000; ///< P51002 is five times program 1002
+constexpr int kPacked = 10'000; ///< P51002 calls program 1002 five times
 
-/// Local variables by letter, "@" first: A is #1. 0: the letter gives no argument. Argument list I.
+/// Local variables by letter, "@" first: A is #1. 0: the letter is not an argument. Argument list I.
 constexpr std::array<int, 27> kArguments{0, 1, 2, 3,  7,  8,  9,  0,  11, 4,  5,  6,  0, 13,
                                          0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 constexpr int kFirstTriple = 4; ///< argument list II: I1 is #4, J1 #5, K1 #6, I2 #7 …
@@ -33,7 +33,7 @@ std::optional<int> whole(Execution& execution, const Word& word, int most) {
     return {};
 }
 
-/// The P and L words of a call; false where they are none.
+/// Reads the P and L words of a call; false if they are invalid.
 bool readCall(Execution& execution, const Word& word, FlowRequest& request) {
     const Block& block = execution.block;
     request.name = block.called();
@@ -53,14 +53,15 @@ bool readCall(Execution& execution, const Word& word, FlowRequest& request) {
     return true;
 }
 
-/// The value that a word hands over: without a decimal point in the least units of its letter.
+/// The value that a word passes as an argument: without a decimal point in the least input increment of its
+/// letter.
 double argument(const Execution& execution, const Word& word) {
     constexpr LetterSet kLengths("IJKQRUVWXYZ");
     const double least = execution.state.inch ? execution.dialect.leastInch : execution.dialect.leastMm;
     return word.point || !kLengths.has(word.letter) ? word.value : word.value * least;
 }
 
-/// The arguments of a macro, by the place of their words: of two for one variable the later counts.
+/// The arguments of a macro, in the order of their words: of two for one variable the later counts.
 class Arguments {
 public:
     explicit Arguments(const Execution& execution) : m_execution(execution) { m_values.fill(kNull); }
@@ -93,7 +94,7 @@ private:
             m_values[static_cast<std::size_t>(number - 1)] = argument(m_execution, word);
     }
 
-    /// I, J and K come again and again: one that is not behind the last begins the next triple.
+    /// I, J and K may occur repeatedly: a letter that does not follow the last one begins the next triple.
     int ofTriple(char letter) {
         const int place = letter - 'I';
         if (place <= m_lastPlace)
@@ -124,7 +125,7 @@ void callSubprogram(Execution& execution, const Word& word) {
     request.kind = FlowRequest::Kind::call;
     if (!readCall(execution, word, request))
         return;
-    // Of more than four digits, those in front are the repeats unless L says them.
+    // Of more than four digits, the leading ones are the repeats unless L gives them.
     if (!execution.block.has('L') && request.program >= kPacked) {
         request.repeats = request.program / kPacked;
         request.program %= kPacked;

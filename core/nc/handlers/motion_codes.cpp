@@ -15,7 +15,7 @@ namespace {
 
 constexpr LetterSet kCentreOrRadius("IJKR");
 
-/// Whether an arc with R leads to where it begins.
+/// Whether an arc with R ends where it begins.
 bool endsWhereItBegins(const Motion& motion, double samePoint) {
     const PlaneAxes plane = axes(motion.plane);
     const Vec3 way = motion.end - motion.start;
@@ -23,7 +23,7 @@ bool endsWhereItBegins(const Motion& motion, double samePoint) {
            std::hypot(way[plane.first], way[plane.second]) <= samePoint;
 }
 
-/// What Fanuc makes of words from which LinuxCNC makes no arc. False where nothing moves.
+/// Fanuc's interpretation of words that do not make an arc for LinuxCNC. False if nothing moves.
 bool convertAsFanuc(Execution& execution, const Word& word, Motion& motion) {
     const Block& block = execution.block;
     if (!block.letters().any(kCentreOrRadius)) {
@@ -62,7 +62,7 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
     }
     const bool turned = turnsPlane(execution.state.frame, motion.plane);
     if (turned ? !motion.known() : !planeKnown(motion)) {
-        // There is no centre to count from: what is left is where it goes.
+        // There is no centre to refer to, so only the end point can be used.
         motion.kind = MotionKind::feed;
     } else if (fanuc && !convertAsFanuc(execution, word, motion)) {
         return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work offsets, shifts and tool lengths: what lies between program and machine coordinates. A change moves
-// nothing: the machine stands still, its program coordinates become others.
+// Work offsets, shifts and tool lengths: the difference between program and machine coordinates. A change
+// does not move the machine; its program coordinates change.
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ constexpr int kG54 = 540;
 constexpr int kG59 = 590;
 constexpr int kSixth = 6; ///< G59; G59.1 to G59.3 follow
 
-// What the L word of G10 means.
+// Meanings of the L word of G10.
 constexpr int kToolItself = 1;
 constexpr int kOffsetItself = 2;
 constexpr int kToolHere = 10;      ///< as if the tool touched these coordinates now
@@ -54,7 +54,7 @@ Vec3 offsetsGiven(const Execution& execution, const WorkFrame& frame) {
     return offset;
 }
 
-/// G10 L20: such offsets that the machine stands at these coordinates.
+/// G10 L20: offsets for which the present position has these coordinates.
 Vec3 offsetsHere(const Execution& execution, const WorkFrame& frame) {
     WorkFrame without = frame;
     without.offset = Vec3(0);
@@ -66,7 +66,7 @@ Vec3 offsetsHere(const Execution& execution, const WorkFrame& frame) {
     return execution.state.position - without.toMachine(program);
 }
 
-/// LinuxCNC counts where the tool is anew with the shift of G92 as it was turned before.
+/// LinuxCNC computes the tool position again with the shift of G92 as it was rotated before.
 void leaveShiftAsTurned(Execution& execution, double rotationBefore) {
     MachineState& state = execution.state;
     const WorkFrame& frame = state.frame;
@@ -112,7 +112,7 @@ void setWorkOffset(Execution& execution, bool here) {
     leaveShiftAsTurned(execution, rotationBefore);
 }
 
-/// Where the machine stands in the coordinates of a work offset, as if no tool length were in force.
+/// The position of the machine in the coordinates of a work offset, without a tool length offset.
 Vec3 positionWithoutTool(const Execution& execution, const WorkFrame& frame) {
     return frame.toProgram(execution.state.position) + execution.state.toolOffset;
 }
@@ -159,14 +159,14 @@ void setShift(Execution& execution, const Vec3& shift, bool on) {
     setFrame(execution, frame);
 }
 
-/// What is to be known before coordinates can be counted from where the machine stands.
+/// Determines what must be known before coordinates can be set relative to the position of the machine.
 void setPosition(Execution& execution, const Vec3& program) {
     MachineState& state = execution.state;
     for (int axis = 0; axis < 3; ++axis) {
         const auto bit = axisBit(axis);
         if (!execution.block.has(letterOfAxis(axis)) || (state.known & bit) != 0)
             continue;
-        // Nobody knows where the machine stands: the program says that it is here.
+        // The machine position is unknown, so the program defines it here.
         state.position[axis] = state.frame.toMachine(program)[axis];
         state.known |= bit;
         state.everKnown |= bit;
@@ -182,7 +182,7 @@ void selectSystem(Execution& execution, int system) {
     execution.state.workOffset = system;
     execution.state.writtenOffset.reset();
     const WorkFrame frame = frameOf(execution, system);
-    if (frame == execution.state.frame) // its name is another one all the same
+    if (frame == execution.state.frame) // its name changes nevertheless
         execution.program.append(WorkOffset{system, frame.zero()}, execution.line);
     setFrame(execution, frame);
 }

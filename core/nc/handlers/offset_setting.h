@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How codes put offsets into force, for those that do so besides something else.
+// Sets offsets on behalf of codes that have further effects.
 #pragma once
 
 #include "core/base/geometry.h"
@@ -8,10 +8,10 @@ namespace proveout {
 
 struct Execution;
 
-/// Puts a tool length offset in force: the machine stands still, its tip is elsewhere afterwards.
+/// Activates a tool length offset: the machine does not move; the position of its tip changes.
 void setToolOffset(Execution& execution, const Vec3& offset);
 
-/// Puts a work offset into force by its number: 1 for G54.
+/// Activates a work offset by its number: 1 for G54.
 void selectSystem(Execution& execution, int system);
 
 } // namespace proveout

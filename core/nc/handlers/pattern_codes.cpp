@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Haas' patterns of holes, drilled by the canned cycle in force: G70, G71, G72.
+// Haas's hole patterns, drilled by the canned cycle in force: G70, G71, G72.
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -50,8 +50,8 @@ std::optional<Pattern> readPattern(Execution& execution, const Word& word) {
                    static_cast<int>(holes)};
 }
 
-/// Where the pattern counts from: where the tool stands. Nothing where no cycle waits for it, or nobody
-/// knows.
+/// The origin of the pattern: the position of the tool. Nothing if there is no cycle to execute, or the
+/// position is unknown.
 std::optional<Vec2> beginOf(Execution& execution, const Word& word) {
     const MachineState& state = execution.state;
     const std::string name = fmt::format("G{:g}", word.value);
@@ -74,7 +74,7 @@ Vec2 polar(double radius, double angle) {
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Holes at `placeOf(index)` from where the pattern begins.
+/// Drills holes at `placeOf(index)` relative to the origin of the pattern.
 template<typename PlaceOf>
 void drill(Execution& execution, const Word& word, const PlaceOf& placeOf) {
     const auto begin = beginOf(execution, word);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Haas' circular pockets: G12, G13. Down in the middle, out from circle to circle, and back to the middle.
+// Haas's circular pockets: G12, G13. Down in the middle, out from circle to circle, and back to the middle.
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -49,7 +49,7 @@ private:
     }
     [[nodiscard]] std::string name() const { return fmt::format("G{:g}", m_word.value); }
 
-    /// Of the path of the tool's middle, growing: I alone, or from I by Q to K.
+    /// Radii of the tool centre's path, growing: I alone, or from I by Q to K.
     bool readRadii() {
         if (!block().has('I'))
             return refuse(nc_message::kWordMissing, m_word, {name(), "I"});
@@ -74,7 +74,7 @@ private:
         return true;
     }
 
-    /// The radius by which the tool stays within the pocket; 0 without D.
+    /// The radius by which the tool stays inside the pocket; 0 without D.
     bool readTool(double& radius) {
         if (!block().has('D') || block().value('D') == 0)
             return true;
@@ -117,7 +117,7 @@ private:
 
     /// Half circles lead from the middle to the first circle, from each to the next, and back.
     bool circles() {
-        double side = 0; ///< where the tool stands: along the first axis from the middle
+        double side = 0; ///< position of the tool along the first axis, relative to the middle
         double sign = 1;
         for (const double radius : m_radii) {
             if (!turn(side, sign * radius, 1) || !turn(sign * radius, sign * radius, 2))
@@ -150,7 +150,7 @@ private:
     Execution& m_execution;
     const Word& m_word;
     PlaneAxes m_plane;
-    Vec3 m_middle; ///< program coordinates, at the level in work
+    Vec3 m_middle; ///< program coordinates, at the current level
     double m_turn; ///< 1 counter-clockwise, -1 clockwise
     std::vector<double> m_radii;
     int m_repeats = 1;

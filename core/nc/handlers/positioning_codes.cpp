@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fanuc's ways to a place that are no motion codes: G27, G29, G60.
+// Positioning codes of Fanuc that are not motion codes: G27, G29, G60.
 #include <string>
 
 #include "core/nc/codes/handlers.h"
@@ -13,8 +13,8 @@ namespace proveout {
 
 namespace {
 
-/// To the point at which the axes of the block turned towards their reference position; false where there is
-/// none.
+/// Moves to the point at which the axes of the block turned towards their reference position; false if there
+/// is none.
 bool moveToIntermediate(Execution& execution, const Word& word) {
     MachineState& state = execution.state;
     Motion motion = motionFromHere(execution, MotionKind::rapid);

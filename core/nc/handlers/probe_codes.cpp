@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Probing: G38.2 to G38.5, and G31 of Fanuc. Where the probe meets the part, only the machine finds out; the
-// stock of the simulation stands for it where there is one.
+// Probing: G38.2 to G38.5, and G31 of Fanuc. Only a real machine finds where the probe touches the part; if
+// there is a simulated stock, it is probed instead.
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
@@ -21,9 +21,9 @@ namespace {
 using Seek = ProbeTarget::Seek;
 using Kind = ProbeTarget::Answer::Kind;
 
-constexpr int kContactAxes = 9; ///< that LinuxCNC knows
+constexpr int kContactAxes = 9; ///< the number that LinuxCNC knows
 
-constexpr int kTowards = 382; ///< G38.2; those that tell no error are one tenth further
+constexpr int kTowards = 382; ///< G38.2; the codes that do not report an error are one tenth higher
 constexpr int kAway = 384;
 
 bool mayProbe(Execution& execution, const Word& word) {
@@ -52,7 +52,7 @@ std::vector<Argument> coordinates(const Vec3& place) {
     return {shown(0), shown(1), shown(2)};
 }
 
-/// Carries the motion out as it was answered, and keeps where it stopped.
+/// Executes the motion according to the answer, and stores where it stopped.
 void stopWhere(Execution& execution, const Word& word, Motion motion, const ProbeTarget::Answer& answer,
                Seek seek) {
     MachineState& state = execution.state;
@@ -79,7 +79,7 @@ void reportAssumed(Execution& execution, const Word& word, const FindingRow& mes
     execution.reporter.report(message, word);
 }
 
-/// The result in program coordinates, in the unit of the program.
+/// Stores the result in program coordinates, in the unit of the program.
 void storeResult(Execution& execution, bool success) {
     for (int axis = 0; axis < kContactAxes; ++axis)
         execution.parameters.setNumbered(kProbeContact + axis,
@@ -88,14 +88,14 @@ void storeResult(Execution& execution, bool success) {
     execution.parameters.setNumbered(kProbeSuccess, success ? 1 : 0);
 }
 
-/// Mach's, of the axes that there are.
+/// Stores Mach's result, for the existing axes.
 void storeMachResult(Execution& execution) {
     for (int axis = 0; axis < kMachAxes; ++axis)
         execution.parameters.setNumbered(
             kMachProbed + axis, axis < 3 ? execution.state.fromMm(execution.state.probed.place[axis]) : 0.0);
 }
 
-/// What a machine answers with an error; it does not go on then.
+/// Reports what a machine answers with an error, after which it does not continue.
 void reportFailure(Execution& execution, const Word& word, Kind kind, int tenths) {
     const bool towards = tenths < kAway;
     const std::string code = fmt::format("G{:g}", tenths / 10.0);
@@ -131,7 +131,7 @@ void probe(Execution& execution, const Word& word) {
     storeResult(execution, answer.kind == Kind::found);
 }
 
-/// Where no signal comes the motion just ends; where it is there already, nothing moves.
+/// Without a signal the motion simply ends; if the signal is on already, nothing moves.
 void skipMotion(Execution& execution, const Word& word) {
     const Motion motion = motionToTarget(execution, MotionKind::feed);
     reportMissingFeed(execution, word);
@@ -155,7 +155,7 @@ void reportProbeUse(MachineState& state, Reporter& reporter) {
 
 namespace {
 
-/// G92, and G10 L20, count from where the machine stands.
+/// Whether the block has G92 or G10 L20, which set coordinates relative to the position of the machine.
 bool countsFromHere(const Block& block) {
     constexpr double kPreset = 92;
     constexpr double kData = 10;

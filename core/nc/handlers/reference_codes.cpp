@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reference positions: G28, G30 and where they lie.
+// Reference positions: G28, G30 and where they are set.
 #include "core/nc/codes/handlers.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/motions/motion_target.h"
@@ -10,7 +10,8 @@ namespace proveout {
 
 namespace {
 
-/// Where the tip goes: with the axes that the block names, which a rotation of the work offset turns as well.
+/// The position of the tip after a move of the axes that the block names; a rotation of the work offset
+/// rotates these as well.
 Vec3 referenceOfAxes(const Execution& execution, const Vec3& reference, bool all) {
     const MachineState& state = execution.state;
     const Vec3 tip = reference - state.toolOffset;
@@ -25,9 +26,9 @@ Vec3 referenceOfAxes(const Execution& execution, const Vec3& reference, bool all
     return state.frame.toMachine(program);
 }
 
-/// Reference positions are those of the machine, whatever tool is in the spindle.
-/// By way of the point that the block names to the reference position, with the axes that it names; without
-/// any, with all.
+/// Reference positions belong to the machine and do not depend on the tool in the spindle. Moves by way of
+/// the point that the block names to the reference position, with the axes that it names, or with all axes if
+/// it names none.
 void goToReference(Execution& execution, int parameter) {
     const bool all = !execution.block.letters().any(kAxisWords);
     if (!all || execution.dialect.codeAloneMoves)

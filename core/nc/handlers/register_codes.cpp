@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kZ = 2;
 
-/// Puts the length of the register in force, and `sign` with it.
+/// Activates the length in the register, with `sign`.
 void offsetByRegister(Execution& execution, const Word& word, int sign) {
     MachineState& state = execution.state;
     if (execution.block.has('H')) {

@@ -50,7 +50,7 @@ Vec3 atLevel(Vec3 point, double z) {
     return point;
 }
 
-/// Appends the straight motions of a spline, of which `motion` has start and end.
+/// Appends the straight motions of a spline; `motion` has its start and end.
 void appendSpline(Execution& execution, const Word& word, const Motion& motion, const Spline& spline) {
     MachineState& state = execution.state;
     const auto points = flattened(spline, kChordError);
@@ -67,8 +67,7 @@ void appendSpline(Execution& execution, const Word& word, const Motion& motion, 
     appendPieces(execution, motion, ends);
 }
 
-/// A spline to the target of the block; its control points between start and end are given relative to one
-/// of them.
+/// A control point of a spline to the target of the block, relative to its start or its end.
 struct Handle {
     Vec2 offset;
     bool ofEnd = false;
@@ -92,13 +91,13 @@ void appendBezier(Execution& execution, const Word& word, const std::vector<Hand
     appendSpline(execution, word, motion, spline);
 }
 
-/// What cannot be drawn goes to its end all the same, for the next motion.
+/// A spline that cannot be computed still ends at its target, for the next motion.
 void skip(Execution& execution) {
     arrive(execution.state, motionToTarget(execution, MotionKind::feed));
 }
 
 bool mayBegin(Execution& execution, const Word& word) {
-    // Unlike other motions, a spline leaves the motion code in force as it was.
+    // Unlike other motions, a spline does not change the motion code in force.
     execution.state.motion = execution.motionBefore;
     if (!execution.block.letters().any(kPlaneWords))
         return refuse(execution, nc_message::kWordMissing, word, {nameOf(word), "X / Y"});
@@ -197,7 +196,7 @@ void addNurbsPoint(Execution& execution, const Word& word) {
 
 namespace {
 
-/// LinuxCNC has G5.3 in the group of the non-modal codes as well.
+/// LinuxCNC has G5.3 also in the group of the non-modal codes.
 void reportNonModal(Execution& execution, const Word& end) {
     for (const Word& word : execution.block.codes()) {
         const CodeRow* row = execution.codes.find(word);

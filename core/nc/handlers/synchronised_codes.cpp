@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions in step with the spindle: G33, and rigid tapping by G33.1. The feed is pitch times spindle speed.
+// Synchronized motions: G33, and rigid tapping by G33.1. The feed is pitch times spindle speed.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -37,7 +37,7 @@ bool wordsFit(Execution& execution, const Word& word) {
     return true;
 }
 
-/// The motion to the target of the block, at the feed that the pitch asks for.
+/// The motion to the target of the block, at the feed given by the pitch.
 Motion motionInStep(Execution& execution, const Word& word) {
     Motion motion = motionToTarget(execution, MotionKind::feed);
     reportUnknownStart(execution, motion, word);
@@ -63,7 +63,7 @@ void tapRigidly(Execution& execution, const Word& word) {
     const Vec3 displacement = execution.state.compensation.displacement;
     const Vec3 start = tipAt(execution, motion.start);
     appendWithFeed(execution, motion);
-    // The spindle turns backwards on the way out, faster by the factor I.
+    // The spindle is reversed on the way out, faster by the factor I.
     Motion back = motionFromHere(execution, MotionKind::feed);
     back.end = start;
     back.endKnown = motion.startKnown;

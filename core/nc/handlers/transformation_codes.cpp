@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program does to its coordinates: G50, G51, G50.1, G51.1, G68, G69, and G100, G101 of Haas. Source:
-// FANUC's operator's manuals, scaling, programmable mirror image, coordinate system rotation; Haas' manuals.
+// Transformations of coordinates by the program: G50, G51, G50.1, G51.1, G68, G69, and G100, G101 of Haas.
+// Source: FANUC's operator's manuals, scaling, programmable mirror image, coordinate system rotation; Haas's
+// manuals.
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -20,14 +21,15 @@ Transformation& transformation(Execution& execution) {
     return execution.state.frame.transformation;
 }
 
-/// Whether the block itself ends the rotation: that comes first, whatever the order of the steps.
+/// Whether the block itself ends the rotation: that takes effect first, regardless of the order of the steps.
 bool endsTurning(const Execution& execution) {
     constexpr double kEnd = 69;
     return std::ranges::any_of(execution.block.codes(),
                                [](const Word& word) { return word.letter == 'G' && word.value == kEnd; });
 }
 
-/// Mirror image, scaling and rotation lie within each other; tells where a code stands within a later one.
+/// Mirror image, scaling and rotation must be nested in this order; reports a code that is programmed within
+/// a later one.
 void reportOrder(Execution& execution, const Word& word, bool scaling) {
     const Transformation& now = transformation(execution);
     const bool turned = now.turned && !endsTurning(execution);
@@ -41,7 +43,7 @@ double factor(const Execution& execution, char letter) {
     return word.point ? word.value : word.value * execution.dialect.leastFactor;
 }
 
-/// The factors along the axes; nothing where the block gives none, or 0, which is told.
+/// The factors along the axes; nothing, with a report, if the block gives none, or 0.
 std::optional<Vec3> factorsGiven(Execution& execution, const Word& word) {
     const Block& block = execution.block;
     if (!block.has('P') && !block.letters().any(LetterSet("IJK"))) {
@@ -78,7 +80,7 @@ void awaitPosition(Execution& execution, std::uint8_t turned, bool ended) {
         execution.state.turning = {turned, ended};
 }
 
-/// AxisBits of `centre` where the place of the tool stands for it and is not known, which is told.
+/// AxisBits of those axes of `centre` for which the tool position is used but unknown; this is reported.
 std::uint8_t centreUnknown(Execution& execution, const Word& word, std::uint8_t centre) {
     const MachineState& state = execution.state;
     const std::uint8_t mixed = state.frame.mixedAxes();
@@ -130,7 +132,7 @@ void scaleCoordinates(Execution& execution, const Word& word) {
     reportOrder(execution, word, false);
     const MachineState& state = execution.state;
     Transformation& now = transformation(execution);
-    // An axis without a word is scaled about where the tool stands.
+    // An axis without a word is scaled about the position of the tool.
     const Vec3 current = now.unturn(state.frame.toWork(state.position));
     Vec3 given(0);
     std::uint8_t aboutTool = 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeft = 1;
 constexpr double kRight = -1;
 
-/// Tells where the plane does not stay one of the machine's.
+/// False, with a report, if the plane is not parallel to one of the machine's.
 bool mayBegin(Execution& execution, const Word& word) {
     if (execution.state.frame.transformation.keepsPlane(execution.state.plane))
         return true;
@@ -22,8 +22,7 @@ bool mayBegin(Execution& execution, const Word& word) {
     return false;
 }
 
-/// The radius in the register of the D word, or of the last one; nothing where nobody knows it, which is
-/// told.
+/// The radius in the register of the D word, or of the last one; nothing, with a report, if it is unknown.
 std::optional<double> radiusInRegister(Execution& execution, const Word& word) {
     MachineState& state = execution.state;
     const bool given = execution.block.has('D');
@@ -41,7 +40,8 @@ std::optional<double> radiusInRegister(Execution& execution, const Word& word) {
     return radius;
 }
 
-/// A mirror image has the tool on the other side. An offset of 0 ends compensation until there is another.
+/// A mirror image moves the tool to the other side. An offset of 0 ends compensation until another one is
+/// set.
 void useRadius(Execution& execution, double radius) {
     MachineState& state = execution.state;
     CutterCompensation& compensation = state.compensation;
@@ -61,7 +61,8 @@ void reportZero(Execution& execution, const Word& word) {
                               word, {nameOf(word)});
 }
 
-/// The same code once more leaves the tool square beside the block before; the other one changes the side.
+/// Repeating the same code leaves the tool at a right angle beside the end of the block before; the opposite
+/// code changes the side.
 void compensateByRegister(Execution& execution, const Word& word, double side) {
     const auto radius = radiusInRegister(execution, word);
     if (!radius || !mayBegin(execution, word))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work coordinates of Fanuc's dialect: G52, G54 to G59, G54.1, G92, G92.1; G110 to G129 and G154 of Haas.
-// Source: FANUC's operator's manuals, workpiece coordinate system, local coordinate system; Haas' manuals.
+// Source: FANUC's operator's manuals, workpiece coordinate system, local coordinate system; Haas's manuals.
 #include <algorithm>
 #include <cmath>
 
@@ -26,11 +26,11 @@ void select(Execution& execution, int system) {
     execution.state.workOffset = system;
     const WorkFrame before = execution.state.frame;
     refresh(execution);
-    if (execution.state.frame == before) // its name is another one all the same
+    if (execution.state.frame == before) // its name changes nevertheless
         execution.program.append(WorkOffset{system, before.zero()}, execution.line);
 }
 
-/// Whether another code of the block has a use for P.
+/// Whether another code of the block uses P.
 bool othersUseP(const Execution& execution, const Word& own) {
     return std::ranges::any_of(execution.block.codes(), [&](const Word& word) {
         const CodeRow* row = execution.codes.find(word);
@@ -97,7 +97,7 @@ void presetCoordinates(Execution& execution, const Word& word) {
             continue;
         const auto bit = axisBit(axis);
         if ((state.known & bit) == 0) {
-            // Nobody knows where the machine stands: the program says that it is here.
+            // The machine position is unknown, so the program defines it here.
             state.position[axis] = there[axis];
             state.known |= bit;
             state.everKnown |= bit;

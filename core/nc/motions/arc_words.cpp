@@ -16,11 +16,11 @@ namespace proveout {
 
 namespace {
 
-/// Beyond this radius a double no longer holds the centre to a nanometre of the path.
+/// Beyond this radius a double cannot hold the centre to a nanometre of the path.
 constexpr double kLargestRadius = 1e7;
-/// With less of a radius an arc has no direction; cutter compensation may leave so little of one.
+/// An arc with a smaller radius has no direction; cutter compensation may leave such a small radius.
 constexpr double kLeastRadius = 1e-6;
-/// An arc flatter than this is a straight line to every user of the program.
+/// An arc flatter than this counts as a straight line for every user of the program.
 constexpr double kFlat = 1e-6;
 
 constexpr std::array<char, 3> kCentreLetters{'I', 'J', 'K'};
@@ -36,7 +36,7 @@ public:
         : m_execution(execution), m_word(word),
           m_plane(axes(program.plane)), m_ends{inPlane(program.start), inPlane(program.end), clockwise} {}
 
-    /// Nothing where the words make no arc, which is then told.
+    /// Nothing, with a report, if the words do not make an arc.
     std::optional<Arc> read() {
         const bool radius = m_execution.block.has('R');
         const bool centre = has(m_plane.first) || has(m_plane.second);
@@ -67,7 +67,7 @@ public:
 
 private:
     [[nodiscard]] static char letter(int axis) { return kCentreLetters[static_cast<std::size_t>(axis)]; }
-    /// In alphabetical order, as people name them.
+    /// In alphabetical order, for messages.
     [[nodiscard]] char firstLetter() const { return letter(std::min(m_plane.first, m_plane.second)); }
     [[nodiscard]] char secondLetter() const { return letter(std::max(m_plane.first, m_plane.second)); }
     [[nodiscard]] bool has(int axis) const { return m_execution.block.has(letter(axis)); }
@@ -76,7 +76,7 @@ private:
         return {point[m_plane.first], point[m_plane.second]};
     }
 
-    /// Where the dialect says how far radii may differ, lengths are whole least units besides.
+    /// If the dialect limits the difference of radii, lengths are also whole least increments.
     [[nodiscard]] ArcTolerances tolerances() const {
         const Dialect& dialect = m_execution.dialect;
         ArcTolerances result = arcTolerances(dialect.arcs, m_execution.state.inch);
@@ -100,7 +100,7 @@ private:
                       {letterOf(off), kPlaneCodes[static_cast<std::size_t>(m_plane.normal)]});
     }
 
-    /// grbl reads the third centre word and does nothing with it.
+    /// grbl reads the centre word of the third axis and ignores it.
     bool ignoresOffPlane() {
         const char off = letter(m_plane.normal);
         m_execution.reporter.report(nc_message::kArcWordIgnored, m_execution.block.word(off),
@@ -108,7 +108,8 @@ private:
         return true;
     }
 
-    /// Where the setting of the control decides how I J K count, whether both ways make an arc.
+    /// If the setting of the control determines whether I J K are absolute or incremental, reports when both
+    /// make an arc.
     void reportOpenCentre() {
         MachineState& state = m_execution.state;
         if (!m_execution.dialect.arcCentreOpen || state.arcCentreChosen || state.arcCentreReported)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One programmed motion beside which the cutter moves: what every control does alike with it.
+// One programmed motion with cutter compensation: the behaviour that all controls share.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace proveout {
 
-/// Appends the path beside one programmed motion and joins it to the motion before. How the path enters and
-/// leaves compensation and turns a corner depends on the control: a subclass adds that. An object lives as
-/// long as the execution of one word.
+/// Appends the offset path of one programmed motion and joins it to the motion before. How the path enters
+/// and leaves compensation and turns a corner depends on the control: a subclass adds that. An object lives
+/// as long as the execution of one word.
 class CompensatedMotion {
 public:
     CompensatedMotion(Execution& execution, const Word& word, const Motion& motion);
@@ -19,25 +19,25 @@ public:
     CompensatedMotion(const CompensatedMotion&) = delete;
     CompensatedMotion& operator=(const CompensatedMotion&) = delete;
 
-    /// Into compensation, in it, or out of it. The machine arrives at the programmed end.
+    /// Enters compensation, stays in it, or leaves it. The machine arrives at the programmed end.
     void append();
-    /// The motion before is final: nothing that follows changes its end.
+    /// Makes the previous motion final: nothing that follows changes its end.
     virtual void finishHeld() = 0;
 
 protected:
     virtual void enter() = 0;
     virtual void join() = 0;
     virtual void leave() = 0;
-    /// Along the normal of the plane, or nowhere: the tip stays beside the same point.
+    /// Moves along the normal of the plane, or not at all: the tip stays beside the same point.
     virtual void appendAcross() = 0;
 
     void report(const FindingRow& message, std::vector<Argument> arguments = {});
-    /// Reports what the radius of the tool does not allow, and skips the motion.
+    /// Reports a motion that the tool radius does not permit, and skips it.
     void refuse(const FindingRow& message, std::vector<Argument> arguments = {});
     void refuseSmallArc();
 
-    /// The motion that is appended next may still change its end: `path` beside what was programmed, begun at
-    /// `from`.
+    /// The motion that is appended next may still change its end: `path` is the offset of what was
+    /// programmed, starting at `from`.
     void hold(const PlanePath& path, const Vec2& from);
     void append(Motion& motion, const Vec3& programmedEnd);
 
@@ -52,7 +52,7 @@ private:
     void appendUnknown();
 };
 
-/// A length of a message, in mm.
+/// A length in mm for a message.
 [[nodiscard]] Argument shownLength(double length);
 
 } // namespace proveout

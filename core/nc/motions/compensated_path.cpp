@@ -11,10 +11,10 @@ namespace proveout {
 
 namespace {
 
-/// Blocks of the look-ahead that are motions: the one before a corner and the one behind it.
+/// Look-ahead blocks that are motions: the one before a corner and the one after it.
 constexpr int kBlocksOfCorner = 2;
 
-/// Does something with a motion beside its path, in the way of the control.
+/// Calls `step` with a compensated motion of the kind that the control uses.
 template<class Step>
 void withPath(Execution& execution, const Word& word, const Motion& motion, Step step) {
     if (execution.dialect.vectors.used) {
@@ -31,7 +31,7 @@ void appendCompensated(Execution& execution, const Word& word, const Motion& mot
         execution.reporter.report(nc_message::kCompensationForbids, word, {"G53"});
         return;
     }
-    // Inverse time counts for the programmed length, not for the one of the path beside it.
+    // Inverse time applies to the programmed length, not to that of the offset path.
     Motion programmed = motion;
     setInverseTimeFeed(execution, programmed);
     withPath(execution, word, programmed, [](CompensatedMotion& path) { path.append(); });
@@ -68,7 +68,7 @@ void countBlock(Execution& execution) {
     VectorState& state = compensation.vectors;
     const bool moved = state.seen;
     state.seen = false;
-    // A call is no block of the look-ahead: the control goes on reading where it leads.
+    // A call does not count as a block of the look-ahead: the control continues reading at its target.
     if (!compensation.held || moved || execution.request.kind != FlowRequest::Kind::none)
         return;
     if (!compensation.moves() ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutter compensation of the motions of a program: how the next one joins the last one. The row of the
-// dialect says in which of the two ways.
+// Cutter compensation of the motions of a program: how the next motion joins the previous one. The row of the
+// dialect selects one of two methods.
 #pragma once
 
 #include "core/nc/geometry/compensation.h"
@@ -11,8 +11,8 @@ namespace proveout {
 
 struct Execution;
 
-/// Appends the motion of a block: the path beside it while cutter compensation is on. What is wrong with that
-/// is reported at `word`.
+/// Appends the motion of a block: its offset path while cutter compensation is on. Errors are reported at
+/// `word`.
 void appendOrdered(Execution& execution, const Word& word, const Motion& motion);
 
 /// Nothing that follows changes the last motion: compensation ends, or the machine stops.
@@ -22,7 +22,8 @@ void finishCompensated(Execution& execution, const Word& word);
 /// is at the end of it.
 void shortenHeld(Execution& execution, const PlanePath& programmed);
 
-/// By vectors, at the end of a block: whether the control still reads as far as the next motion in the plane.
+/// By vectors, at the end of a block: checks whether the look-ahead still extends to the next motion in the
+/// plane.
 void countBlock(Execution& execution);
 
 } // namespace proveout

@@ -16,18 +16,18 @@ namespace proveout {
 
 namespace {
 
-/// Whether the next motion in the plane goes to the other side of its path than the one that is held.
+/// Whether the next motion in the plane is compensated to the other side than the held one.
 bool changesSide(const CutterCompensation& compensation) {
     return compensation.moves() && compensation.held &&
            (compensation.vectors.offset > 0) != (compensation.offset > 0);
 }
 
 bool leadsNowhere(const PlanePath& path) {
-    constexpr double kNoCircle = 1; ///< rad: a whole circle leads to where it begins, too
+    constexpr double kNoCircle = 1; ///< rad: a full circle also ends where it begins
     return std::abs(path.sweep) < kNoCircle && glm::distance(path.start, path.end) < kNoLength;
 }
 
-/// A corner that an earlier block ordered, at the motion behind it.
+/// A corner that an earlier block programmed, at the motion after it.
 class Insertion {
 public:
     Insertion(Execution& execution, const Word& word, Motion& motion)
@@ -36,7 +36,7 @@ public:
                                                         inPlane(motion.end, m_plane),
                                                         inPlane(motion.centre, m_plane), motion.sweep} {}
 
-    /// Shortens the motion to what is left of it behind the corner; false where nothing is.
+    /// Shortens the motion to the part after the corner; false if nothing remains.
     bool insert() {
         m_corner.pending = false;
         if (!fits() || needsNoCorner(m_corner.path, m_after))
@@ -63,7 +63,7 @@ private:
 
     bool fits() {
         const CutterCompensation& compensation = m_execution.state.compensation;
-        // A stop of the program leaves the tool at the end of the motion before.
+        // A program stop leaves the tool at the end of the motion before.
         const bool held =
             m_corner.compensated ? compensation.held : !m_execution.program.isSettled(m_corner.motion);
         if (m_motion.kind == MotionKind::rapid)
@@ -125,7 +125,7 @@ private:
     PlanePath m_after;
 };
 
-/// The word that orders a corner; null where there is none, or two, which is told.
+/// The word that programs a corner; null if there is none, or, with a report, if there are two.
 const Word* cornerWord(Execution& execution) {
     const Block& block = execution.block;
     if (!block.has(kRoundingLetter))
@@ -136,7 +136,7 @@ const Word* cornerWord(Execution& execution) {
     return nullptr;
 }
 
-/// Whether scaling is in force that changes lengths in the plane.
+/// Whether a scaling is in force that changes lengths in the plane.
 bool scaledInPlane(const MachineState& state) {
     const Transformation& now = state.frame.transformation;
     const PlaneAxes plane = axes(state.plane);
@@ -144,7 +144,7 @@ bool scaledInPlane(const MachineState& state) {
            (std::abs(now.factors[plane.first]) != 1 || std::abs(now.factors[plane.second]) != 1);
 }
 
-/// Outside of cutter compensation.
+/// Without cutter compensation.
 void appendMovable(Execution& execution, Motion motion) {
     setInverseTimeFeed(execution, motion);
     motion.unverified = execution.reporter.unverified();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Optional chamfers and corner radii: ,C and ,R of a straight or circular motion, put between it and the
+// Optional chamfers and corner radii: ,C and ,R of a straight or circular motion, inserted between it and the
 // next. Source: FANUC Series 0i and 30i, operator's manuals for machining centres, optional chamfering and
 // corner R.
 #pragma once
@@ -11,10 +11,10 @@ namespace proveout {
 
 struct Execution;
 
-/// Appends a motion that a block orders, and before it what the block before ordered for their corner.
+/// Appends the motion of a block, preceded by the corner that the previous block programmed.
 void appendWithCorner(Execution& execution, const Word& word, const Motion& motion);
 
-/// At the end of a block: tells where a corner was ordered that nothing follows.
+/// At the end of a block: reports a programmed corner that no motion follows.
 void checkOrderedCorner(Execution& execution);
 
 } // namespace proveout

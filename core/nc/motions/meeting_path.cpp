@@ -23,8 +23,8 @@ void MeetingPath::finishHeld() {
     finish(m_compensation.path.end, true);
 }
 
-/// The motion before is final with this end. Where it would go backward, the control notices that or not;
-/// if it does, the motion stays as it was.
+/// Makes the previous motion final with this end. If it would run backward, the control may or may not
+/// notice; if it does, the motion stays unchanged.
 bool MeetingPath::finish(const Vec2& end, bool noticed) {
     if (!m_compensation.held)
         return true;
@@ -100,7 +100,7 @@ void MeetingPath::joinInside(const PlanePath& path) {
     emit(path, finish(*meeting, true) ? *meeting : tip());
 }
 
-/// A rapid motion does not roll about the corner but cuts it.
+/// A rapid motion does not roll around the corner but cuts it.
 void MeetingPath::appendCorner(const Vec2& end, double sweep) {
     Motion motion = m_motion;
     motion.kind = m_motion.kind == MotionKind::rapid ? MotionKind::rapid : MotionKind::arc;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutter compensation by the points where the offset paths meet, as LinuxCNC, Mach3 and RS274/NGC have it.
-// Source: LinuxCNC user manual, cutter radius compensation.
+// Cutter compensation by the points where the offset paths meet, as in LinuxCNC, Mach3 and RS274/NGC. Source:
+// LinuxCNC user manual, cutter radius compensation.
 #pragma once
 
 #include "core/nc/motions/compensated_motion.h"
 
 namespace proveout {
 
-/// An inside corner moves the end of the motion before to where both offset paths meet; an outside corner
-/// rolls about the programmed point.
+/// At an inside corner, the end of the previous motion moves to where both offset paths meet; at an outside
+/// corner, the tool rolls around the programmed point.
 class MeetingPath final : public CompensatedMotion {
 public:
     using CompensatedMotion::CompensatedMotion;
@@ -18,7 +18,7 @@ public:
 private:
     void enter() override;
     void join() override;
-    /// By the code that ends compensation; the motion after it is not compensated.
+    /// Leaves compensation with the code that ends it; the motion after it is not compensated.
     void leave() override;
     void appendAcross() override;
 

@@ -21,7 +21,7 @@ Vec3 tipAt(const Execution& execution, const Vec3& programmed) {
     const Vec3 displacement = execution.state.compensation.displacement + execution.state.strayed;
     if (displacement == Vec3(0))
         return programmed;
-    constexpr double kRounding = 1e-9; ///< of adding and subtracting the displacement
+    constexpr double kRounding = 1e-9; ///< left by adding and subtracting the displacement
     const Vec3 tip = programmed + displacement;
     const std::size_t count = execution.program.motionCount();
     if (count == 0)
@@ -67,7 +67,7 @@ void skipMotion(Execution& execution, const Motion& motion) {
 
 namespace {
 
-/// The feed of G93 for a path of a length in mm.
+/// The feed of G93 for a path with this length in mm.
 double inverseTimeFeed(const Execution& execution, double length) {
     const MachineState& state = execution.state;
     if (!execution.block.has('F'))
@@ -93,8 +93,8 @@ void appendMotion(Execution& execution, Motion motion) {
 
 namespace {
 
-/// Scaling and repetition make numbers larger than any that a text may hold. Where an axis would go that far
-/// is not known any more, so that what comes after is computed from places that can be.
+/// Scaling and repetition can make numbers larger than any that a text may contain. The position of an axis
+/// that far away becomes unknown, so that later values are computed from positions in range.
 void forgetTooFar(Execution& execution, Motion& motion) {
     constexpr double kFarthest = 1e14; ///< mm; squares of it, and sums of them, are far from overflowing
     std::uint8_t beyond = 0;

@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// The feed, as far as it does not depend on the length of the path.
+/// Sets the feed, as far as it does not depend on the length of the path.
 void setFeed(Motion& motion, const MachineState& state) {
     motion.perRevolution = state.feedMode == FeedMode::perRevolution;
     if (motion.perRevolution)
@@ -85,7 +85,7 @@ std::optional<Vec2> polarTarget(Execution& execution, const Vec3& program, std::
 
 namespace {
 
-/// The program coordinate that the word of an axis orders; false where it counts from an unknown place.
+/// The program coordinate that the word of an axis gives; false if it is relative to an unknown position.
 bool axisTarget(Execution& execution, int axis, std::uint8_t known, Vec3& program) {
     MachineState& state = execution.state;
     const char letter = letterOfAxis(axis);
@@ -106,13 +106,13 @@ bool axisTarget(Execution& execution, int axis, std::uint8_t known, Vec3& progra
     return false;
 }
 
-/// Under a rotation, the machine's place along an axis depends on more than its own word.
+/// Under a rotation, the machine's position along an axis depends on more than its own word.
 std::uint8_t bitsThatTurn(const WorkFrame& frame, std::uint8_t bits) {
     const std::uint8_t mixed = frame.mixedAxes();
     return (bits & mixed) != mixed ? static_cast<std::uint8_t>(bits & ~mixed) : bits;
 }
 
-/// AxisBits of what the axis words of the block order in program coordinates.
+/// Reads the axis words of the block into program coordinates; returns AxisBits of the named axes.
 std::uint8_t readAxisWords(Execution& execution, Motion& motion, std::uint8_t known, Vec3& program) {
     const MachineState& state = execution.state;
     std::uint8_t named = 0;
@@ -155,7 +155,7 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
     const std::uint8_t mixed = frame.mixedAxes();
     for (int axis = 0; axis < 3; ++axis) {
         const bool turns = (mixed & axisBit(axis)) != 0 && (named & mixed) != 0;
-        // Where nothing turns, an axis without a word keeps its place to the last bit.
+        // Without a rotation, an axis without a word keeps its position to the last bit.
         if (turns || (named & axisBit(axis)) != 0)
             motion.end[axis] = machine[axis];
     }

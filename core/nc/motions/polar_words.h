@@ -9,8 +9,8 @@ namespace proveout {
 
 struct Execution;
 
-/// Puts the point that the words of the plane give into `program`; the AxisBits of what they set. `known`:
-/// AxisBits of `program`. A radius that counts from an unknown place is told.
+/// Writes the point that the words of the plane give into `program`; returns the AxisBits that were set.
+/// `known`: AxisBits of `program`. A radius relative to an unknown position is reported.
 std::uint8_t readPolarWords(Execution& execution, std::uint8_t known, Vec3& program);
 
 } // namespace proveout

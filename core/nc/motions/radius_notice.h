@@ -11,7 +11,7 @@ namespace proveout {
 struct Execution;
 struct FindingRow;
 
-/// Tells what is due to the radius of the tool: a warning only where that is assumed.
+/// Reports a problem caused by the tool radius; only a warning if the radius is assumed.
 void reportOfRadius(Execution& execution, const FindingRow& message, const Word& word,
                     std::vector<Argument> arguments);
 

@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// The angle whose chord lies `sagitta` within an arc.
+/// The angle whose chord is within `sagitta` of an arc.
 double angleOfSagitta(double radius, double sagitta) {
     constexpr double kWidest = std::numbers::pi / 6;
     if (radius <= sagitta)

@@ -10,7 +10,7 @@ void reportTurning(Execution& execution, std::uint8_t named) {
     if ((named & turning.axes) == 0)
         return;
     const bool both = (named & turning.axes) == turning.axes;
-    // Increments count from where the tool stands when a rotation begins, but not when it ends.
+    // Increments are relative to the position of the tool when a rotation begins, but not when it ends.
     if (turning.ended ? !both || execution.state.incremental : !both && !execution.state.incremental)
         execution.reporter.report(nc_message::kRotationOneAxis, 1, 0, {turning.ended ? "G69" : "G68"});
     turning = {};

@@ -7,7 +7,7 @@ namespace proveout {
 
 struct Execution;
 
-/// The first motion behind a rotation names these axes: tells where controls differ about the others.
+/// The first motion after a rotation names these axes: reports that controls differ for the other ones.
 void reportTurning(Execution& execution, std::uint8_t named);
 
 } // namespace proveout

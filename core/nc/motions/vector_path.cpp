@@ -27,7 +27,7 @@ void VectorPath::moveTipTo(const Vec2& place) {
         withPlane(Vec3(0), place - inPlane(m_execution.state.position, m_plane), m_plane);
 }
 
-/// Axis words that move nothing at all keep the control from reading on.
+/// Axis words that do not move anything end the look-ahead.
 void VectorPath::appendAcross() {
     Motion motion = m_motion;
     motion.start = tipAt(m_execution, m_motion.start);
@@ -94,7 +94,7 @@ bool VectorPath::changesSide() const {
     return (m_held.offset > 0) != (m_compensation.offset > 0);
 }
 
-/// From where the tool stands, though the paths turn.
+/// From the position of the tool, although the paths turn.
 void VectorPath::joinSquare() {
     if (!goesStraightOn(m_held.programmed, m_programmed))
         report(nc_message::kCompensationSquare);
@@ -118,7 +118,8 @@ std::optional<CornerPoints> VectorPath::corner() {
     return points;
 }
 
-/// The motion before is final with this end, unless it would go backward. Then it stays as it was.
+/// Makes the previous motion final with this end, unless it would run backward. In that case it stays
+/// unchanged.
 bool VectorPath::finish(const Vec2& end) {
     m_compensation.held = false;
     const PlanePath& path = m_compensation.path;
@@ -138,7 +139,7 @@ bool VectorPath::finish(const Vec2& end) {
     return true;
 }
 
-/// The corner belongs to the block behind it.
+/// The corner belongs to the block after it.
 void VectorPath::moveThrough(const CornerPoints& points) {
     for (const Vec2& point : points.all().subspan(1)) {
         Motion motion = m_motion;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutter compensation by vectors, as Fanuc's controls have it, of the motions of a program.
-// Source: FANUC Series 0i and 30i, operator's manuals for machining centres, details of cutter compensation.
+// Cutter compensation by vectors, as in Fanuc's controls. Source: FANUC Series 0i and 30i, operator's manuals
+// for machining centres, details of cutter compensation.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace proveout {
 
 /// The control reads ahead to the next motion in the plane and places the tool on points beside the corner;
-/// the moves between these belong to the block behind it.
+/// the moves between these belong to the block after it.
 class VectorPath final : public CompensatedMotion {
 public:
     VectorPath(Execution& execution, const Word& word, const Motion& motion);
@@ -41,7 +41,7 @@ private:
     VectorState& m_held;
 };
 
-/// The control does not know what follows: the tool stays square beside the end of the last motion.
+/// The control does not know what follows: the tool stays at a right angle beside the end of the last motion.
 void finishSquare(Execution& execution);
 
 } // namespace proveout

@@ -9,16 +9,16 @@
 
 namespace proveout {
 
-/// A work offset in force.
+/// An active work offset.
 struct ActiveOffset {
     std::string code = "G54"; ///< as the program's dialect writes it: "G54.1 P3"
-    Vec3 zero{0};             ///< of its coordinates, in those of the program's motions
+    Vec3 zero{0};             ///< zero of its coordinates, in those of the program's motions
 
     friend bool operator==(const ActiveOffset&, const ActiveOffset&) = default;
 };
 
-/// The one of the last motion of the first `blocks` blocks; of the first motion where `blocks` is 0. A
-/// rotation of work coordinates is not in it.
+/// The one at the last motion of the first `blocks` blocks; at the first motion if `blocks` is 0. It does not
+/// include a rotation of work coordinates.
 [[nodiscard]] ActiveOffset activeOffset(const Program& program, std::size_t blocks);
 
 } // namespace proveout

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of what ControlState lists, by which it is found again.
+// Names in ControlState, by which entries are found.
 #pragma once
 
 #include "core/base/text.h"
 
 namespace proveout::control_name {
 
-/// Its value is the number of a tool.
+/// The value of this entry is the number of a tool.
 inline constexpr const char* kSpindleTool = PROVEOUT_TEXT("Core", "Tool in the spindle");
 
 } // namespace proveout::control_name

@@ -9,12 +9,12 @@
 
 namespace proveout {
 
-/// How the control stands at one point of a program, in words for people. Names are marked with
-/// PROVEOUT_TEXT. Value type.
+/// The state of the control at one point of a program, in readable form. Names are marked with PROVEOUT_TEXT.
+/// Value type.
 struct ControlState {
     struct Mode {
         std::string code;  ///< "G54"
-        const char* name;  ///< what it means in the dialect
+        const char* name;  ///< its meaning in the dialect
         const char* group; ///< its modal group
     };
     struct Place {
@@ -41,7 +41,7 @@ struct ControlState {
     std::vector<Mode> modes;
     std::vector<Place> places;
     std::vector<Quantity> quantities;
-    std::vector<Variable> variables; ///< those that were set
+    std::vector<Variable> variables; ///< those that have been set
     std::vector<Call> calls;         ///< the outermost first
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// What the formulas below need of an arc: a radius that goes linearly from `startRadius` by `radiusGrowth`.
+/// The values of an arc for the formulas below: a radius that changes linearly from `startRadius` by
+/// `radiusGrowth`.
 struct Spiral {
     PlaneAxes plane;
     Vec2 spoke; ///< from the centre to the start point
@@ -27,7 +28,7 @@ struct Spiral {
 };
 
 /// Adds the points of the arc that are farthest in the direction of the angle `quadrant` (about the plane's
-/// normal), if the arc comes by there. With a growing radius they lie a little off the quadrant: where the
+/// normal), if the arc passes there. With a growing radius they are slightly off the quadrant: where the
 /// derivative of r(t)·cos vanishes, found by fixed-point iteration, since the growth is small.
 void addExtreme(Box3& box, const Motion& motion, const Spiral& spiral, double quadrant, double startAngle) {
     double angle = quadrant;
@@ -81,7 +82,7 @@ Vec3 pointAt(const Motion& motion, double t) {
     const Spiral spiral(motion);
     if (spiral.startRadius == 0)
         return point;
-    // Turning the first spoke keeps the precision that an angle from atan2 would lose on large arcs.
+    // Rotating the first spoke keeps the precision that an angle from atan2 would lose on large arcs.
     const double scale = (spiral.startRadius + spiral.radiusGrowth * t) / spiral.startRadius;
     const double cosine = std::cos(motion.sweep * t) * scale;
     const double sine = std::sin(motion.sweep * t) * scale;
@@ -130,7 +131,7 @@ Box3 bounds(const Motion& motion) {
         return box;
     const double startAngle = std::atan2(spiral.spoke.y, spiral.spoke.x);
     const double turn = std::copysign(2 * kPi, motion.sweep);
-    // The radius only grows or only shrinks, so that the extremes lie in the first or in the last turn.
+    // The radius only grows or only shrinks, so that the extremes are in the first or in the last turn.
     const double lastTurn = std::abs(motion.sweep) > 2 * kPi ? startAngle + motion.sweep - turn : startAngle;
     for (const double from : {startAngle, lastTurn}) {
         const double firstQuadrant = std::floor(std::min(from, from + turn) / (kPi / 2));

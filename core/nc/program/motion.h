@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A motion: the straight or circular path of the tool control point that one block orders.
+// A motion: the straight or circular path of the tool control point that one block programs.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ enum class MotionKind : std::uint8_t { rapid, feed, arc };
 /// The plane of an arc; its normal is +Z, +Y, +X.
 enum class Plane : std::uint8_t {
     xy, ///< G17
-    zx, ///< G18: counter-clockwise is seen from +Y
+    zx, ///< G18: counter-clockwise as seen from +Y
     yz, ///< G19
 };
 
-/// One bit an axis; set where the position of that axis is known and not assumed.
+/// One bit per axis; set if the position of that axis is known and not assumed.
 enum AxisBits : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
-/// Of an axis: 0 to 2.
+/// `axis`: 0 to 2.
 [[nodiscard]] constexpr std::uint8_t axisBit(int axis) {
     return static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
 }
@@ -34,11 +34,10 @@ struct Motion {
     Plane plane = Plane::xy;
     std::uint8_t startKnown = 0; ///< AxisBits of `start`
     std::uint8_t endKnown = 0;   ///< AxisBits of `end`
-    /// Z is not known, but stands at the machine's reference position: clear of the part, as every program
-    /// takes it to be.
+    /// Z is unknown, but at the machine's reference position: clear of the part, as every program assumes.
     bool startAtReference = false;
     bool endAtReference = false;
-    bool unverified = false; ///< stands behind something that was not understood
+    bool unverified = false; ///< follows something that was not understood
     bool probing = false;    ///< stops at the stock instead of cutting it
     int tool = 0;            ///< number of the tool in the spindle, 0: none
     std::uint32_t line = 0;  ///< source line, 1-based
@@ -46,10 +45,10 @@ struct Motion {
     Vec3 end{0};
     Vec3 centre{0};          ///< arcs: on the level of the start point
     double sweep = 0;        ///< arcs: signed angle about the plane's normal, right-handed; may exceed a turn
-    double feedMmPerMin = 0; ///< 0 for rapids and where no feed was given
-    bool perRevolution = false; ///< the program gave the feed per revolution of the spindle
+    double feedMmPerMin = 0; ///< 0 for rapids and if no feed was given
+    bool perRevolution = false; ///< the feed was given per revolution of the spindle
     double spindleRpm = 0;      ///< signed: positive clockwise (M3), 0 stopped
-    double orderedRpm = 0;      ///< as S said, also while the spindle is stopped
+    double orderedRpm = 0;      ///< as programmed by S, also while the spindle is stopped
 
     /// Whether the whole path is known, so that it may cut.
     [[nodiscard]] bool known() const { return (startKnown & endKnown) == kAllAxes; }
@@ -70,24 +69,24 @@ struct PlaneAxes {
 /// Distance of the start point from the arc's centre, in its plane.
 [[nodiscard]] double arcRadius(const Motion& motion);
 
-/// The point at `t` in [0, 1]; the radius of an arc whose ends differ goes linearly from one to the other,
+/// The point at `t` in [0, 1]; the radius of an arc whose ends differ changes linearly from one to the other,
 /// and t = 1 gives `end` exactly.
 [[nodiscard]] Vec3 pointAt(const Motion& motion, double t);
 
 /// Length of the path in mm.
 [[nodiscard]] double pathLength(const Motion& motion);
 
-/// How far a curve that is neither line nor arc in a plane of the machine may lie from the straight motions
-/// that stand for it, in mm: no point of it is farther from the line between the ends of its piece, and those
-/// lie on it. A control rounds more than that.
+/// The largest deviation, in mm, of a curve that is neither a line nor an arc in a plane of the machine from
+/// the straight motions that replace it: no point of it is farther from the line between the ends of its
+/// piece, and these ends are on it. A control rounds more than that.
 inline constexpr double kChordError = 1e-3;
 
-/// The limits of an arc: nothing that a machine could run is beyond them, and the work on an arc grows with
+/// The limits of an arc: no motion that a machine can run exceeds them, and the work on an arc grows with
 /// both.
 inline constexpr double kLongestArc = 1e7; ///< mm of path
 inline constexpr int kMostTurns = 1000;
 /// Whether a motion is within them; straight ones always are. The interpreter refuses the others with a
-/// message, and `cut` trusts that it did.
+/// message, and `cut` relies on that.
 [[nodiscard]] bool withinLimits(const Motion& motion);
 
 /// The box of the path.

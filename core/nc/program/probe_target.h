@@ -10,23 +10,23 @@
 
 namespace proveout {
 
-/// What the probing motions of one interpretation meet: the stock as the motions before have left it. Each
-/// interpretation has one of its own, on its thread.
+/// The object that the probing motions of one interpretation touch: the stock left by the earlier motions.
+/// Each interpretation has its own, on its thread.
 class ProbeTarget {
 public:
     enum class Seek : std::uint8_t {
         contact, ///< G31, G38.2, G38.3: until the tool in the spindle touches the stock
-        release, ///< G38.4, G38.5: until it touches it no longer
+        release, ///< G38.4, G38.5: until it no longer touches it
     };
     struct Answer {
         enum class Kind : std::uint8_t {
             found,
-            missed,  ///< nowhere on the way
-            already, ///< where the motion begins
+            missed,  ///< nowhere on the path
+            already, ///< at the start of the motion
             unknown, ///< there is no stock, or no cutter for the tool
         };
         Kind kind = Kind::unknown;
-        Vec3 place{0}; ///< found: where the tip is then, program coordinates in mm
+        Vec3 place{0}; ///< found: the position of the tip, program coordinates in mm
     };
 
     ProbeTarget() = default;
@@ -34,13 +34,14 @@ public:
     ProbeTarget& operator=(const ProbeTarget&) = delete;
     virtual ~ProbeTarget() = default;
 
-    /// On the straight way of `motion`, which is known and will be appended to `program` next. All motions of
-    /// `program` have been carried out and stay as they are. A stopped context answers anything.
+    /// Probes along the straight path of `motion`, which is known and will be appended to `program` next. All
+    /// motions of `program` have been executed and stay unchanged. With a stopped context the answer is
+    /// arbitrary.
     [[nodiscard]] virtual Answer probe(const Program& program, const Motion& motion, Seek seek,
                                        const WorkContext& context) = 0;
 };
 
-/// The part of a set-up, which makes a target for each interpretation. Immutable; any thread.
+/// The part of a setup, which makes a target for each interpretation. Immutable; any thread.
 class ProbedPart {
 public:
     ProbedPart() = default;
@@ -51,7 +52,7 @@ public:
     [[nodiscard]] virtual bool sameAs(const ProbedPart& other) const = 0;
 };
 
-/// One of them, or none. Compares as the parts do.
+/// A part to probe, or none. Compares the parts themselves.
 struct PartToProbe {
     std::shared_ptr<const ProbedPart> part;
 

@@ -29,7 +29,7 @@ Program::Program(const Program& other, const Extent& extent)
     : m_settled(extent.motions), m_bounds(extent.bounds), m_cuttingBounds(extent.cuttingBounds),
       m_pendingLine(extent.pendingLine), m_blockPending(extent.blockPending), m_linesRise(extent.linesRise),
       m_dialect(other.m_dialect) {
-    // Room for about as much again as the other has behind it.
+    // Reserves memory for about as much again as the other one has after it.
     m_motions.reserve(other.m_motions.size());
     m_blocks.reserve(other.m_blocks.size());
     m_arcs.reserve(other.m_arcs.size());
@@ -129,7 +129,7 @@ std::size_t Program::blocksAfterLine(std::uint32_t line) const {
                                                [&](const PackedBlock& block) { return !behind(block); });
         return static_cast<std::size_t>(next - m_blocks.begin());
     }
-    // Where lines are executed again or out of order, the first execution of the line counts.
+    // If lines are executed again or out of order, the first execution of the line counts.
     const auto at = std::find_if(m_blocks.begin(), m_blocks.end(),
                                  [line](const PackedBlock& block) { return block.line == line; });
     if (at != m_blocks.end())

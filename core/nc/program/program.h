@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an NC text means: its motions and events in the order of execution, and what had to be told about it.
+// The meaning of an NC text: its motions and events in the order of execution, and its messages.
 #pragma once
 
 #include <cstddef>
@@ -67,16 +67,16 @@ public:
     [[nodiscard]] std::size_t motionCount() const { return m_motions.size(); }
     [[nodiscard]] Motion motion(std::size_t index) const;
     [[nodiscard]] const Vec3& endOf(std::size_t index) const { return m_motions[index].end; }
-    /// Where the text sends motion `index`: under cutter compensation beside the motion's end, else there.
+    /// The programmed end of motion `index`, which differs from its end under cutter compensation.
     [[nodiscard]] Vec3 programmedEnd(std::size_t index) const;
 
-    static constexpr std::size_t kBytesPerMotion = 48;       ///< a straight one; an arc has an entry besides
-    static constexpr std::size_t kBytesPerCompensation = 16; ///< besides, under cutter compensation
-    /// Of all motions, blocks and events; about as much again is allocated while it grows.
+    static constexpr std::size_t kBytesPerMotion = 48;       ///< straight; an arc needs more
+    static constexpr std::size_t kBytesPerCompensation = 16; ///< in addition, under cutter compensation
+    /// Bytes of all motions, blocks and events; about as much again is allocated while it grows.
     [[nodiscard]] std::size_t bytes() const;
 
-    /// Blocks that move, in the order of execution: the unit of stepping, of the decimation period and of
-    /// `--until N`. One block may order several motions.
+    /// Motion blocks, in the order of execution: the unit of stepping, of the decimation period and of
+    /// `--until N`. One block may program several motions.
     [[nodiscard]] std::size_t blockCount() const { return m_blocks.size(); }
     /// The motions [first, last) of block `index`.
     struct MotionRange {
@@ -85,55 +85,55 @@ public:
     };
     [[nodiscard]] MotionRange blockMotions(std::size_t index) const;
     [[nodiscard]] std::uint32_t blockLine(std::size_t index) const;
-    /// How many moving blocks have been executed after source line `line`, at its first execution
-    /// (0: none; blockCount() where the line lies behind the last one).
+    /// How many motion blocks have been executed after source line `line`, at its first execution (0: none;
+    /// blockCount() if the line is after the last one).
     [[nodiscard]] std::size_t blocksAfterLine(std::uint32_t line) const;
 
-    /// Successive motions [first, last) with one tool in the spindle.
+    /// Consecutive motions [first, last) with one tool in the spindle.
     struct ToolRun {
         int tool = 0; ///< 0: none
         std::size_t first = 0;
         std::size_t last = 0;
     };
-    /// All motions, in order; neighbours have different tools. Looks at few of the motions.
+    /// All motions, in order; neighbours have different tools. Reads only a few of the motions.
     [[nodiscard]] std::vector<ToolRun> toolRuns() const;
 
     [[nodiscard]] const std::vector<Event>& events() const { return m_events; }
     [[nodiscard]] const Diagnostics& diagnostics() const { return m_diagnostics; }
-    /// Index of the first motion after diagnostic `index` was told.
+    /// Index of the first motion after diagnostic `index` was reported.
     [[nodiscard]] std::size_t motionAfterDiagnostic(std::size_t index) const {
         return m_diagnosticMotions[index];
     }
-    /// Whether any diagnostic says that the program cannot be vouched for.
+    /// Whether any diagnostic marks the rest of the program as unverified.
     [[nodiscard]] bool unverified() const { return m_unverified; }
     /// Source blocks with at least one word (comments alone do not count).
     [[nodiscard]] std::size_t sourceBlockCount() const { return m_sourceBlocks; }
-    /// Whether the sizes of the control's tools had a say in it.
+    /// Whether the result depends on the sizes of the control's tools.
     [[nodiscard]] bool asksForTools() const { return m_asksForTools; }
-    /// Whether it probes, so that stock and cutters have a say in it.
+    /// Whether it probes, so that the result depends on stock and cutters.
     [[nodiscard]] bool asksForStock() const { return m_asksForStock; }
     /// Whether lines may have been executed more than once: a loop, or a subprogram.
     [[nodiscard]] bool runsAgain() const { return m_runsAgain; }
-    /// Of the line that was watched; null without one.
+    /// Of the watched line; null if there is none.
     [[nodiscard]] const std::shared_ptr<const LineValues>& lineValues() const { return m_lineValues; }
-    /// How the control stands where the interpretation ended.
+    /// The state of the control where the interpretation ended.
     [[nodiscard]] const ControlState& controlState() const { return m_controlState; }
-    /// In which it was read.
+    /// The dialect in which it was read.
     [[nodiscard]] DialectId dialect() const { return m_dialect; }
-    /// What the text is where no control of dialects() reads it, marked with PROVEOUT_TEXT; then the program
-    /// holds one message and nothing else. Null: a program.
+    /// What kind of text it is if no control of dialects() can read it, marked with PROVEOUT_TEXT; then the
+    /// program has one message and nothing else. Null: a program.
     [[nodiscard]] const char* foreignKind() const { return m_foreignKind; }
-    /// M codes that were met and ignored.
+    /// M codes of the program that were ignored.
     [[nodiscard]] const IgnoredCodes& ignoredCodes() const { return m_ignoredCodes; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; } ///< of all known motions
-    /// Of the known motions at feed that do not probe: where the program means to cut.
+    /// Of the known motions at feed that do not probe: where the program intends to cut.
     [[nodiscard]] const Box3& cuttingBounds() const { return m_cuttingBounds; }
 
-    /// Index of the first block that moves otherwise (path, tool, or a different number of motions);
-    /// the smaller block count where one program is the beginning of the other.
+    /// Index of the first block that moves differently (path, tool, or a different number of motions); the
+    /// smaller block count if one program is the beginning of the other.
     [[nodiscard]] std::size_t firstDifference(const Program& other) const;
 
-    /// How much of a program that is being built there is. A value.
+    /// The size of a program while it is built. A value.
     struct Extent {
         std::size_t motions = 0;
         std::size_t arcs = 0;
@@ -148,7 +148,7 @@ public:
         std::uint32_t pendingLine = 0;
         bool blockPending = false;
         bool linesRise = true;
-        std::size_t settled = 0; ///< motions of which the bounds know
+        std::size_t settled = 0; ///< number of motions included in the bounds
     };
 
     Program() = default;
@@ -156,25 +156,25 @@ public:
     Program(const Program& other, const Extent& extent);
 
     // For the interpreter, while the program is built.
-    void expect(std::size_t blocks); ///< about so many will come; untouched memory is not resident
+    void expect(std::size_t blocks); ///< expected number of blocks; untouched memory is not resident
     [[nodiscard]] Extent extent() const;
-    /// Whether no motion's end may be moved any more.
+    /// Whether the ends of all motions are final.
     [[nodiscard]] bool settled() const { return m_settled == m_motions.size(); }
     void beginBlock(std::uint32_t line); ///< motions appended from here on belong to one block
     void append(const Motion& motion);
     /// A motion under cutter compensation. Its end may be moved until `settle`.
     void appendCompensated(const Motion& motion, const Vec3& programmedEnd);
-    /// Whether the end of a motion stays where it is.
+    /// Whether the end of a motion is final.
     [[nodiscard]] bool isSettled(std::size_t motion) const { return motion < m_settled; }
-    /// Moves the ends of the motions from `first` on, in the axes of a plane; `sweep` is of the first, where
-    /// that is an arc. None of them is settled, and only the first leads anywhere in the plane.
+    /// Moves the ends of the motions from `first` on, in the axes of a plane; `sweep` is that of the first,
+    /// if it is an arc. None of them is settled, and only the first moves in the plane.
     void moveEnds(std::size_t first, Plane plane, const Vec2& end, double sweep);
-    /// From now on the motions stay as they are.
+    /// From now on the present motions are final.
     void settle();
-    /// Forgets the motions, blocks and events behind an earlier extent and frees their memory. The messages
+    /// Removes the motions, blocks and events after an earlier extent and frees their memory. The messages
     /// stay.
     void cutBack(const Extent& extent);
-    /// The events from `first` on happen behind the motions that there are, none of which is settled.
+    /// Moves the events from `first` on to after the present motions, none of which is settled.
     void delayEvents(std::size_t first);
     void append(EventData data, std::uint32_t line);
     void append(Diagnostic diagnostic);
@@ -205,7 +205,7 @@ private:
         double sweep;
         Plane plane;
     };
-    /// What changes rarely, shared by many motions.
+    /// Values that change rarely, shared by many motions.
     struct SpindleState {
         int tool;
         double spindleRpm;
@@ -222,7 +222,7 @@ private:
         Vec3 start;
     };
 
-    /// From the programmed end to the end of a motion; a display needs no more than a float of it.
+    /// From the programmed end to the end of a motion; float precision is enough for display.
     struct Compensation {
         std::uint32_t motion;
         glm::vec3 offset;

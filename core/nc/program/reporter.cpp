@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// Bytes of an argument: names and chains of calls may be as long as the text, and a message is not.
+/// Bytes of an argument: names and chains of calls may be as long as the text; a message must not be.
 constexpr std::size_t kLongestArgument = 2000;
 
 void shorten(Argument& argument) {
@@ -58,7 +58,7 @@ void Reporter::report(const FindingRow& message, int column, int length, std::ve
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
 
-/// A loop tells of its lines in each round.
+/// A loop reports its lines in each round.
 bool Reporter::isKnown(const FindingRow& message, int column, const std::vector<Argument>& arguments) const {
     return std::ranges::any_of(m_program.diagnostics(), [&](const Diagnostic& known) {
         return known.where.line == m_line && known.where.column == column && known.id == message.id &&

@@ -14,23 +14,22 @@ namespace proveout {
 
 /// A word as messages show it: "G38.2".
 [[nodiscard]] std::string nameOf(const Word& word);
-/// A letter of words as the text has it.
+/// A letter of words as written in the text.
 [[nodiscard]] std::string writtenAs(char letter);
 
-/// Hands messages to the program that is being built: the first `limit` errors and as many others, so that
-/// those never hide an error, then a count. Keeps a
-/// reference to the program. The same message about the same place is handed on once. Knows whether anything
-/// was told that leaves the rest unverified.
+/// Passes messages to the program that is being built: the first `limit` errors and as many others, so that
+/// those never displace an error, then a count. Keeps a reference to the program. The same message about the
+/// same place is passed on once. Records whether any message leaves the rest unverified.
 class Reporter {
 public:
     using Answer = const char* (*)(const FindingRow&);
 
-    /// `answer`: a remedy that stands for the one of a message, where it gives one; may be null.
+    /// `answer`: returns a remedy that replaces the one of a message, or null; may be null itself.
     Reporter(Program& program, std::string file, std::size_t limit, Answer answer = nullptr)
         : m_program(program), m_file(std::move(file)), m_limit(std::max(limit, kReserved + 1) - kReserved),
           m_answer(answer) {}
 
-    /// Of the messages that follow.
+    /// For the messages that follow.
     void setFile(std::string file) { m_file = std::move(file); }
     void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
     [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(m_line); }
@@ -38,30 +37,30 @@ public:
     void report(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         report(message, word.column, word.length, std::move(arguments));
     }
-    /// What would be more if it did not rest on something assumed.
+    /// Reports as a warning what would be more severe if it were not based on an assumption.
     void reportAsWarning(FindingRow message, const Word& word, std::vector<Argument> arguments) {
         message.severity = Severity::warning;
         report(message, word, std::move(arguments));
     }
-    /// For what is told about the whole program, once: is shown whatever the limit.
+    /// For a message about the whole program, reported once: shown regardless of the limit.
     void reportInAnyCase(const FindingRow& message, int column, int length,
                          std::vector<Argument> arguments = {});
-    /// The last message, where there were more than the limit.
+    /// The last message, if there were more than the limit.
     void reportSuppressed();
 
-    /// What it remembers of the messages so far. A value.
+    /// What it remembers of earlier messages. A value.
     struct Memory {
-        std::size_t reported = 0; ///< but for errors
+        std::size_t reported = 0; ///< without errors
         std::size_t errorsReported = 0;
         std::size_t suppressed = 0;
-        std::size_t repeated = 0; ///< that were handed on before
+        std::size_t repeated = 0; ///< that were passed on before
         bool unverified = false;
         bool suppressedUnverified = false;
     };
     [[nodiscard]] const Memory& memory() const { return m_memory; }
     void restore(const Memory& memory) { m_memory = memory; }
 
-    /// All messages, shown or not.
+    /// The number of all messages, shown or not.
     [[nodiscard]] std::size_t count() const {
         return m_memory.reported + m_memory.errorsReported + m_memory.suppressed + m_memory.repeated;
     }
@@ -72,7 +71,7 @@ private:
                                const std::vector<Argument>& arguments) const;
     void append(const FindingRow& message, bool unverified, TextRange where, std::vector<Argument> arguments);
 
-    static constexpr std::size_t kReserved = 4; ///< places for messages about the whole program
+    static constexpr std::size_t kReserved = 4; ///< slots reserved for messages about the whole program
 
     Program& m_program;
     std::string m_file;

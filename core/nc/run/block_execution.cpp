@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// What macros read of the last block.
+/// Stores what macros can read about the last block.
 void remember(Execution& execution) {
     for (const Word& word : execution.block.codes()) {
         if (word.letter == 'M')
@@ -23,7 +23,7 @@ void remember(Execution& execution) {
         execution.state.lastB = execution.block.value('B');
 }
 
-/// Only after its block LinuxCNC asks the machine where a tool change has left the tip.
+/// LinuxCNC reads from the machine where a tool change has left the tip only after the block.
 void readBackAfterToolChange(Execution& execution) {
     constexpr double kToolChange = 6;
     if (!execution.dialect.readsBackAtToolChange)

@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kLongestShown = 40; ///< bytes of a line in a message
 
-/// A part of a line for a message: not longer than is readable, cut between characters; a byte that no font
-/// can show appears as its number.
+/// A part of a line for a message: limited to a readable length, cut between characters; a byte that cannot
+/// be displayed is shown as its number.
 std::string readable(std::string_view text) {
     if (text.size() == 1) {
         const auto byte = static_cast<unsigned char>(text.front());
@@ -89,7 +89,7 @@ bool BlockExecutor::execute(const Line& line, FlowRequest& request) {
     return moved;
 }
 
-/// A control would start the program again; once is what there is to see.
+/// A control would restart the program; it is simulated only once.
 void BlockExecutor::endAtReturn(Execution& execution, const Word& word) {
     finishCompensated(execution, word);
     m_reporter.report(nc_message::kMainReturn, word);
@@ -117,7 +117,7 @@ bool BlockExecutor::tooLong() const {
 void BlockExecutor::skip(const ReadError& error, std::string_view text) {
     m_reporter.report(*error.message, error.column, error.length, {readable(error.argument)});
     forgetAxes(m_memory.machine, axisLetters(text), Forgotten::reported);
-    if (m_dialect.streamed) // grbl forgets a line that it refuses
+    if (m_dialect.streamed) // grbl drops a line that it refuses
         return;
     const ReadableWords words = readableWords(text);
     FlowRequest request;
@@ -129,7 +129,7 @@ void BlockExecutor::restore(const MachineState& saved, std::uint32_t line) {
     FlowRequest none;
     const Block empty;
     Execution execution = executionOf(empty, none);
-    execution.line = line; // the caller's, where the subprogram has a file of its own
+    execution.line = line; // the caller's line, if the subprogram has a separate file
     proveout::restore(execution, saved, Word{'M', 72, 1, 0});
 }
 

@@ -15,28 +15,28 @@
 
 namespace proveout {
 
-/// Executes the blocks of a program, and what is left of those that cannot be. Keeps references to its
-/// arguments.
+/// Executes the blocks of a program, and the usable remainder of those that cannot be executed. Keeps
+/// references to its arguments.
 class BlockExecutor {
 public:
     BlockExecutor(const Dialect& dialect, const CodeTable& codes, const InterpretOptions& options,
                   const WorkContext& context, ControlMemory& memory, OffsetRegisters& registers,
                   IgnoredCodes& ignored, const CallStack& calls, Program& program, Reporter& reporter);
 
-    /// Whether the block is data for the control: from G10 L50 to G11 all are.
+    /// Whether the block is data for the control: all blocks from G10 L50 to G11 are.
     [[nodiscard]] bool isData(const Block& block);
-    /// Takes out of a block what switches a device of the machine and moves no axis.
+    /// Removes codes from a block that switch a device of the machine and move no axis.
     void ignoreCodes(Block& block);
-    /// Executes the block of a line. `request`: what it asks of the flow of the program, but for its end,
-    /// which is done. Whether it has moved.
+    /// Executes the block of a line. `request`: what the block requests of the program flow, except its end,
+    /// which is handled here. Returns whether it has moved.
     [[nodiscard]] bool execute(const Line& line, FlowRequest& request);
     /// Whether the program is larger than the options allow, which is reported.
     [[nodiscard]] bool tooLong() const;
 
-    /// In the place of a line that cannot be read: what it orders is not known, so the axes that it names may
-    /// be anywhere afterwards. Its error is reported.
+    /// In place of a line that cannot be read: its effect is unknown, so the positions of the axes that it
+    /// names are unknown afterwards. Its error is reported.
     void skip(const ReadError& error, std::string_view text);
-    /// Brings saved modes back behind a call of line `line`.
+    /// Restores saved modes after a call in line `line`.
     void restore(const MachineState& saved, std::uint32_t line);
 
 private:

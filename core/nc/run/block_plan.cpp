@@ -78,7 +78,7 @@ private:
         return true;
     }
 
-    /// The code that a block may not have beside another. LinuxCNC has M70 to M73 in the group of the
+    /// A code that may not be in one block with this one. LinuxCNC has M70 to M73 in the group of the
     /// spindle, and M99 in that of the stops.
     [[nodiscard]] const Word* rivalOf(const CodeRow& row) const {
         if (const Word* same = groupWord(row.group))
@@ -93,7 +93,7 @@ private:
         return end != nullptr && m_execution.codes.find(*end)->handler == returnFromProgram ? end : nullptr;
     }
 
-    /// Whether a code counts instead of the earlier one of its group.
+    /// Whether a code replaces the earlier one of its group.
     bool replaces(const CodeRow& row, const Word& earlier, const Word& later) {
         if (!m_execution.dialect.lastWordCounts || row.group == ModalGroup::nonModal)
             return refuse(nc_message::kModalConflict, later, {nameOf(earlier), nameOf(later)});
@@ -101,14 +101,14 @@ private:
         return true;
     }
 
-    /// Every other word is an argument of the code that came last; a motion code before it is in force.
+    /// Every other word is an argument of the last code; a motion code before it takes effect.
     bool planWithArguments() {
         if (m_motionRow != nullptr && m_motionRow->supported())
             m_execution.state.motion = m_motionRow;
         return true;
     }
 
-    /// Who takes X and Y for the end of a motion takes polar words too.
+    /// A code that uses X and Y for the end of a motion uses polar words as well.
     void use(const CodeRow& row) {
         m_used.add(row.letters);
         if (row.step == Step::motion && row.letters.has('X'))
@@ -125,7 +125,7 @@ private:
             forgetAxes(m_execution.state, kTargetWords, Forgotten::reported);
     }
 
-    /// A supported code with a claim on the axis words.
+    /// Plans a supported code that uses the axis words.
     bool planAxisUse(const CodeRow& row, const Word& word) {
         if (row.axisUse == AxisUse::machine) {
             m_machineWord = &word;
@@ -140,7 +140,7 @@ private:
         return true;
     }
 
-    /// H without G43 and D without G41 are other registers for the offsets in force.
+    /// H without G43 and D without G41 change the registers of the offsets in force.
     void planRegisters() {
         if (m_execution.dialect.vectors.used && m_block.has('D') && !m_used.has('D') &&
             m_groups[static_cast<std::size_t>(ModalGroup::cutterCompensation)] == nullptr) {
@@ -154,7 +154,7 @@ private:
         m_used.add(LetterSet("H"));
     }
 
-    /// The machine has one spindle: 0, and -1 for all of them.
+    /// The machine has one spindle: 0, and -1 for all spindles.
     bool checkSpindle() {
         if (!m_block.has(kSpindleLetter))
             return true;
@@ -170,7 +170,7 @@ private:
                refuse(nc_message::kSpindleNumber, word, {fmt::format("{:g}", number)});
     }
 
-    /// The plane that was in force before the block counts.
+    /// The plane that was in force before the block applies.
     bool checkPolar() {
         if (!m_block.letters().any(kPolar))
             return true;
@@ -182,7 +182,7 @@ private:
 
     void reportOtherAxes() {
         LetterSet others = kOtherAxes;
-        // Fanuc's dwell counts by any of X, U and P.
+        // Fanuc's dwell time is given by any of X, U and P.
         if (m_axisWord != nullptr && m_execution.codes.find(*m_axisWord)->step == Step::dwell)
             others.remove(LetterSet("U"));
         // Mach's rotation has its centre at A and B.
@@ -197,7 +197,7 @@ private:
         m_used.add(kOtherAxes);
     }
 
-    /// The motion is the one of this block, or the one in force where the block has axis words.
+    /// The motion is that of this block, or the one in force if the block has axis words.
     bool planMotion() {
         MachineState& state = m_execution.state;
         const bool named = m_block.letters().any(kTargetWords);
@@ -211,7 +211,7 @@ private:
             state.motion = m_motionRow;
         if (m_axesUsed || (m_unknownCode && m_motionRow == nullptr)) {
             forgetNamedAxes();
-            // "G53 G0 Z0": G0 stays in force, but this block moves somewhere else.
+            // "G53 G0 Z0": G0 stays in force, but this block moves to machine coordinates.
             if (m_motionRow != nullptr)
                 state.motion = m_motionRow;
             return true;
@@ -231,13 +231,13 @@ private:
         return planMotionInForce();
     }
 
-    /// The axis words belong to a code that is no motion.
+    /// The axis words belong to a code that is not a motion.
     bool planWithoutMotion(bool named) {
         if (m_motionRow == nullptr)
             return true;
         const Word& motion = *groupWord(ModalGroup::motion);
-        // "G0 G28 Z0": where the last of two codes counts, the motion code is for the blocks to come.
-        // Elsewhere G28 and its kind tolerate no motion code, with or without axis words.
+        // "G0 G28 Z0": if the last of two codes counts, the motion code applies to later blocks. Otherwise
+        // G28 and similar codes do not permit a motion code, with or without axis words.
         const bool both = named || m_execution.codes.find(*m_axisWord)->step == Step::nonModal;
         if (both && !m_execution.dialect.lastWordCounts)
             return refuse(nc_message::kAxesTwice, motion, {nameOf(*m_axisWord), nameOf(motion)});
@@ -247,7 +247,7 @@ private:
 
     bool checkMachineMotion() {
         const bool named = m_block.letters().any(kTargetWords);
-        // LinuxCNC counts the code in force only where there are axis words for it.
+        // LinuxCNC considers the code in force only if there are axis words for it.
         const bool inForce = named || !m_execution.dialect.refusesIdleG53;
         const CodeRow* row = m_motionRow != nullptr ? m_motionRow
                              : inForce              ? m_execution.state.motion
@@ -298,14 +298,15 @@ private:
             m_plan.add(Step::motion, row->handler, firstMotionWord(), row->withCompensation);
             use(*row);
         } else {
-            // Told at its word; every block of it moves the axes somewhere.
+            // Reported at its word; every such block moves the axes to unknown positions.
             m_strange = true;
             forgetNamedAxes();
         }
         return true;
     }
 
-    /// LinuxCNC refuses a word that nothing in the block uses; it may be a slip that moves elsewhere.
+    /// LinuxCNC refuses a word that nothing in the block uses; it may be a typing error for a word that
+    /// moves.
     bool checkUnused() {
         LetterSet unused = m_block.letters();
         unused.remove(m_used);
@@ -358,8 +359,8 @@ private:
     const CodeRow* m_motionRow = nullptr;
     LetterSet m_used;
     int m_mWords;
-    bool m_allWords = false;    ///< G65: the words behind it are its arguments
-    bool m_strange;             ///< something in the block is not supported: other words may belong to it
+    bool m_allWords = false;    ///< G65: the words after it are its arguments
+    bool m_strange;             ///< something in the block is not supported, so other words may belong to it
     bool m_unknownCode = false; ///< it may use the axis words, unless a motion code does
     bool m_axesUsed = false;    ///< by a code that is not supported
     const Word* m_axisWord = nullptr;    ///< a supported code that uses the axis words itself
@@ -377,7 +378,7 @@ bool isRefused(WithCompensation with, const CutterCompensation& compensation) {
 void BlockPlan::run(Execution& execution) const {
     for (std::uint64_t rest = m_present; rest != 0; rest &= rest - 1) {
         const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
-        // Asked only now: G40 of the same block comes first.
+        // Checked only now, because G40 of the same block comes first.
         if (isRefused(order.withCompensation, execution.state.compensation))
             execution.reporter.report(nc_message::kCompensationForbids, *order.word, {nameOf(*order.word)});
         else

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// What a block orders, sorted by the step at which it takes effect.
+/// The actions of a block, sorted by the step at which they take effect.
 class BlockPlan {
 public:
     void add(Step step, CodeHandler handler, const Word& word,
@@ -33,8 +33,8 @@ private:
     std::array<Order, static_cast<std::size_t>(Step::count)> m_orders;
 };
 
-/// Finds out what a block orders and tells what is wrong with it. Codes that are not supported leave their
-/// mark in the state at once: axes forgotten, a motion mode that moves nothing. False: the block
+/// Determines the actions of a block and reports its errors. Codes that are not supported change the state at
+/// once: positions of axes become unknown, or a motion mode does not move anything. False: the block
 /// contradicts itself and must not run. The plan points into the block.
 [[nodiscard]] bool makePlan(Execution& execution, BlockPlan& plan);
 

@@ -29,7 +29,7 @@ std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTab
     std::vector<ControlState::Mode> modes;
     const auto add = [&](char letter, int tenths) {
         const CodeRow* row = codes.find(letter, tenths);
-        // Codes that a dialect does not carry out are never in force.
+        // Codes that a dialect does not execute are never in force.
         if (row != nullptr && row->supported())
             modes.push_back(
                 {fmt::format("{}{:g}", letter, row->tenths / 10.0), row->name, nameOf(row->group)});

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSame = 1e-6; ///< mm, radians
 
-/// A run of a line, and the motions [first, last) of it.
+/// A run of a line, and its motions [first, last).
 struct Run {
     std::size_t first = 0;
     std::size_t last = 0;

@@ -9,16 +9,16 @@
 
 namespace proveout {
 
-/// A line that moves the machine otherwise in one dialect than in another.
+/// A line that moves the machine differently in two dialects.
 struct LineDifference {
     std::uint32_t line = 0;    ///< 1-based
-    std::size_t execution = 0; ///< which run of the line, from 0; lines of loops run more than once
+    std::size_t execution = 0; ///< which run of the line, from 0; lines of loops run several times
     std::vector<Motion> one;   ///< the motions of the line in each of them
     std::vector<Motion> other;
 };
 
-/// The lines on which two readings of one text move differently, by line: another path, another feed or a
-/// different number of motions. At most `most` of them. Pure; any thread.
+/// The lines at which two interpretations of one text move differently, by line: a different path, feed or
+/// number of motions. At most `most` of them. Pure; any thread.
 [[nodiscard]] std::vector<LineDifference> differentLines(const Program& one, const Program& other,
                                                          std::size_t most);
 

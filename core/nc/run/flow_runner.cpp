@@ -68,7 +68,7 @@ bool FlowRunner::leaveText() {
     return true;
 }
 
-/// Nobody knows what an order that failed would have moved. What M73 saved in a subprogram comes back at its
+/// What a failed action would have moved is unknown. Modes saved by M73 in a subprogram are restored at its
 /// end.
 void FlowRunner::execute(const std::function<bool()>& order) {
     const std::size_t level = m_calls.depth();
@@ -82,8 +82,8 @@ void FlowRunner::execute(const std::function<bool()>& order) {
         m_blocks.restore(*saved, line);
 }
 
-/// LinuxCNC finds M98 at the beginning of a block only, and M99 alone in it; but M99 of the main program,
-/// where it likes.
+/// LinuxCNC accepts M98 only at the beginning of a block, and M99 only alone in it; but M99 of the main
+/// program anywhere.
 void FlowRunner::checkPlaceOfCall(const Line& line, const FlowRequest& request) {
     if (m_dialect.macros != MacroLanguage::oWords)
         return;
@@ -95,13 +95,13 @@ void FlowRunner::checkPlaceOfCall(const Line& line, const FlowRequest& request) 
         m_reporter.report(nc_message::kReturnNotAlone, request.word);
 }
 
-/// This line always leads elsewhere. One that block delete may skip does not.
+/// This line always jumps elsewhere. A line that block delete may skip does not.
 void FlowRunner::noteLeaving(const Line& line) {
     if (m_calls.inMainText() && !line.deleteMark)
         m_unreachable.leaves(m_calls.at());
 }
 
-/// The number of the program that runs now. A local subprogram has none of its own.
+/// Updates the number of the program that is running. A local subprogram has no number of its own.
 void FlowRunner::updateProgramNumber() {
     if (m_calls.inMainProgram()) {
         m_state.programNumber = m_read.mainNumber;

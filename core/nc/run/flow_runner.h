@@ -17,7 +17,7 @@
 
 namespace proveout {
 
-/// Leads a program through its jumps, loops, calls and returns, by the flow that its dialect has. Keeps
+/// Runs a program through its jumps, loops, calls and returns, with the flow control of its dialect. Keeps
 /// references to its arguments.
 class FlowRunner {
 public:
@@ -27,15 +27,15 @@ public:
 
     /// Executes the O-word of a line.
     void runOWord(const Line& line);
-    /// Executes a statement of custom macro B. Where words remain to be executed behind its THEN, true: they
-    /// are in `line`.
+    /// Executes a statement of custom macro B. True if words remain to be executed after its THEN: they are
+    /// in `line`.
     [[nodiscard]] bool runStatement(Line& line);
-    /// Executes what a block has asked for; `moved`: it has moved the machine.
+    /// Executes the request of a block; `moved`: whether it has moved the machine.
     void follow(const Line& line, const FlowRequest& request, bool moved);
-    /// At the end of a text or program: back to the caller; false in the main program.
+    /// At the end of a text or program: returns to the caller; false in the main program.
     [[nodiscard]] bool leaveText();
 
-    /// Whether a macro runs behind every motion.
+    /// Whether a macro runs after every motion.
     [[nodiscard]] bool hasModalMacro() const { return m_macros.modal(); }
 
 private:

@@ -13,8 +13,8 @@ using Kind = ForeignKind;
 using Look = LineForm;
 
 constexpr int kDecides = kForeignDecides;
-constexpr int kHalf = 50;  ///< two different ones decide
-constexpr int kMore = 200; ///< decides over a kind that is more general
+constexpr int kHalf = 50;  ///< two different signs of this weight decide
+constexpr int kMore = 200; ///< decides against a kind that is more general
 
 // In the order of Kind.
 constexpr std::array<ForeignKindRow, kForeignKinds> kKinds{{
@@ -114,7 +114,7 @@ constexpr ForeignSign kSigns[] = {
     {Kind::shopBot, kHalf, Look::squeezed, "JZ,~"},
     {Kind::shopBot, kHalf, Look::squeezed, "MS,~"},
     {Kind::shopBot, kHalf, Look::squeezed, "TR,~"},
-    // Source: FANUC, operator's manuals for lathes. Only where no block names Y or changes a tool by M6.
+    // Source: FANUC, operator's manuals for lathes. Applies only if no block names Y or changes a tool by M6.
     {Kind::lathe, kDecides, Look::squeezed, "G92S#"},
     {Kind::lathe, kDecides, Look::squeezed, "~G50S#~"},
     {Kind::lathe, kHalf, Look::squeezed, "~G96S#~"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of what no dialect of ours reads: kinds of programs and files, and the signs that show them.
+// The tables of texts that no supported dialect reads: kinds of programs and files, and the signs that
+// identify them.
 #pragma once
 
 #include <cstddef>
@@ -41,19 +42,19 @@ enum class ForeignKind : std::uint8_t {
 
 struct ForeignKindRow {
     const char* name; ///< marked with PROVEOUT_TEXT
-    bool program;     ///< of another control, otherwise no NC program at all
+    bool program;     ///< of another control; otherwise not an NC program
 };
 
-/// Which form of a line a pattern is about: all of them in upper case, without blanks at both ends and with
-/// one between words.
+/// The form of a line that a pattern is matched with: all are in upper case, without blanks at both ends and
+/// with one between words.
 enum class LineForm : std::uint8_t {
-    first,    ///< the first line that is not empty, as it is
-    line,     ///< any line, as it is
+    first,    ///< the first line that is not empty, unchanged
+    line,     ///< any line, unchanged
     block,    ///< without comments and block number
-    squeezed, ///< that, without any blank
+    squeezed, ///< the same, without any blanks
 };
 
-/// Of one kind, signs that weigh this much together decide.
+/// Signs of one kind decide if their total weight is this.
 inline constexpr int kForeignDecides = 100;
 
 struct ForeignSign {

@@ -25,7 +25,7 @@ constexpr std::size_t kMostLines = 2'000;
 constexpr std::size_t kMostLinesOfLathe = 100'000;
 constexpr std::size_t kLongestShown = 32;
 
-/// Upper case, blanks as LineForm says.
+/// Upper case, blanks as described in LineForm.
 void trim(std::string_view line, std::string& out) {
     out.clear();
     for (const char c : line) {
@@ -38,7 +38,7 @@ void trim(std::string_view line, std::string& out) {
         out.pop_back();
 }
 
-/// Whether "(" at `at` follows a name of two letters or more, as in CYCLE81(…): that is no comment.
+/// Whether "(" at `at` follows a name of two letters or more, as in CYCLE81(…), so that it is not a comment.
 bool opensArguments(std::string_view line, std::size_t at) {
     std::size_t begin = at;
     while (begin > 0 && isDigit(line[begin - 1]))
@@ -96,7 +96,7 @@ struct Forms {
     }
 };
 
-/// What was found of every kind.
+/// The signs that were found of every kind.
 class Evidence {
 public:
     void look(const Forms& forms, bool first, std::string_view text, int line) {
@@ -125,7 +125,7 @@ public:
     };
     [[nodiscard]] const Found& of(ForeignKind kind) const { return m_found[static_cast<std::size_t>(kind)]; }
     void forget(ForeignKind kind) { m_found[static_cast<std::size_t>(kind)] = {}; }
-    /// The first of the heaviest, nothing where none decides.
+    /// The first of the heaviest kinds, nothing if none decides.
     [[nodiscard]] std::optional<ForeignKind> decided() const {
         const auto most = std::ranges::max_element(m_found, {}, &Found::weight);
         if (most->weight < kForeignDecides)
@@ -138,7 +138,7 @@ private:
     std::array<Found, kForeignKinds> m_found;
 };
 
-/// A block that a lathe's program does not have: it names Y, or changes the tool as a mill does.
+/// A block that a lathe program does not have: it names Y, or changes the tool as on a mill.
 bool isOfMill(std::string_view squeezed) {
     for (std::size_t i = 0; i < squeezed.size(); ++i) {
         const bool number = i + 1 < squeezed.size() && !isCapital(squeezed[i + 1]);
@@ -150,7 +150,7 @@ bool isOfMill(std::string_view squeezed) {
     return false;
 }
 
-/// LinuxCNC turns too, and Fanuc's G50, G92 and S have other meanings on a mill.
+/// LinuxCNC also runs lathes, and Fanuc's G50, G92 and S have other meanings on a mill.
 bool isLathe(const NcText& text) {
     Forms forms;
     const std::size_t most = std::min(text.lineCount(), kMostLinesOfLathe);

@@ -11,17 +11,17 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kLinesPerLook = 1024; ///< lines between two looks at the stop token
+constexpr std::size_t kLinesPerLook = 1024; ///< lines between two checks of the stop token
 constexpr std::size_t kLinesPerReport = 65536;
 
-/// The row of the table with what the builder of the machine set.
+/// The row of the table with the settings of the machine builder.
 Dialect configured(DialectId id, const InterpretOptions& options) {
     Dialect result = dialect(id);
     result.vectors.typeB = options.compensationTypeB;
     return result;
 }
 
-/// Long texts may do more again.
+/// Long texts may repeat more.
 Repetition::Limits repetitionLimits(const NcText& text, const InterpretOptions& options) {
     constexpr std::uint64_t kOfLine = 10;
     const std::uint64_t ofText = kOfLine * text.lineCount();
@@ -81,12 +81,12 @@ void Interpretation::keepPoints(std::size_t firstLine, KeepPoint keep) {
     m_keepPoint = std::move(keep);
 }
 
-/// Where nothing is under way that a value could not hold.
+/// Only if nothing is in progress that the point could not store.
 void Interpretation::offerPoint() {
     auto place = m_calls.place();
     if (!place || m_lines.hasModalMacro() || !m_program->settled())
         return;
-    // A jump has looked at the line that it leads to.
+    // A jump has read the line that it leads to.
     const std::size_t seen = place->line + (place->indexAsked ? 1 : 0);
     m_run.read.linesSeen = std::max({m_run.read.linesSeen, m_run.read.linesRead, seen});
     m_nextPoint = m_keepPoint(
@@ -124,7 +124,7 @@ void Interpretation::end() {
     m_context.report(1);
 }
 
-/// Once in many lines: whether to stop, and how far it is. False where it has to stop.
+/// Called once in many lines: checks whether to stop, and reports progress. False if it has to stop.
 bool Interpretation::lookUp() {
     m_reporter.beginLine(static_cast<std::uint32_t>(m_calls.line() + 1));
     const std::size_t step = m_run.steps++;
@@ -137,7 +137,7 @@ bool Interpretation::lookUp() {
     return true;
 }
 
-/// The next line. False where the program is not to go on: it has come back to the line once too often, or is
+/// Runs the next line. False if the program must not continue: it has come back to the line too often, or is
 /// cut short there.
 bool Interpretation::runLine() {
     m_calls.step();

@@ -16,8 +16,8 @@
 
 namespace proveout {
 
-/// One run through an NC text, line by line: owns what the run makes and remembers, and decides how long it
-/// goes on. Keeps references to its arguments.
+/// One run through an NC text, line by line: owns what the run makes and remembers, and decides when it ends.
+/// Keeps references to its arguments.
 class Interpretation {
 public:
     Interpretation(const NcText& text, const InterpretOptions& options, DialectGuess guess,
@@ -25,11 +25,11 @@ public:
     Interpretation(const Interpretation&) = delete;
     Interpretation& operator=(const Interpretation&) = delete;
 
-    /// Instead of at the beginning: at a point of an earlier run, of which `earlier` is the result, or a
-    /// longer program. The lines before it must be the same.
+    /// Starts at a point of an earlier run instead of the beginning; `earlier` is the result of that run, or
+    /// a longer program. The lines before the point must be the same.
     void resume(const ResumePoint& point, const Program& earlier);
 
-    /// Is handed a point and the program so far; returns the line from which on it wants the next one.
+    /// Receives a point and the program up to it; returns the line from which on it wants the next one.
     using KeepPoint = std::function<std::size_t(ResumePoint, const Program&)>;
     void keepPoints(std::size_t firstLine, KeepPoint keep);
 
@@ -50,7 +50,7 @@ private:
     const NcText& m_text;
     const InterpretOptions& m_options;
     const WorkContext& m_context;
-    const Dialect m_dialect; ///< as the options set it
+    const Dialect m_dialect; ///< with the settings of the options
     std::shared_ptr<Program> m_program;
     Reporter m_reporter;
     RunState m_run;
@@ -61,7 +61,7 @@ private:
     KeepPoint m_keepPoint;
     std::size_t m_nextPoint = SIZE_MAX; ///< line
     bool m_begun = false;
-    bool m_cutShort = false; ///< stopped, or at a limit: what the rest of the program says is not known
+    bool m_cutShort = false; ///< stopped, or at a limit: the rest of the program is unknown
 };
 
 } // namespace proveout

@@ -20,7 +20,7 @@ void LineReader::begin() {
         skipToPercent();
 }
 
-/// Controls of custom macro B's dialect look for the first "%" and read from there.
+/// Controls of custom macro B's dialect search for the first "%" and read from there.
 void LineReader::skipToPercent() {
     constexpr std::size_t kFarthest = 1000; ///< lines of a heading
     const std::size_t most = std::min(m_text.lineCount(), kFarthest);
@@ -84,7 +84,7 @@ LineReader::Content LineReader::readText(std::size_t index, bool first, Line& li
     return words ? Content::words : Content::nothing;
 }
 
-/// What is reported about a line of the main text when it is reached first.
+/// Reports about a line of the main text when it is first reached.
 void LineReader::reportFirst(std::size_t index, std::string_view text) {
     m_read.linesRead = index + 1;
     if (index == 0 && m_text.hadByteOrderMark())
@@ -110,7 +110,7 @@ void LineReader::reportRead(const Line& line, std::string_view text) {
     }
 }
 
-/// Leaves in `text` what the control on a serial line reads as a block; false where it reads none.
+/// Reduces `text` to what the control on a serial line reads as a block; false if it reads none.
 bool LineReader::readStreamed(std::string_view& text, bool first) {
     const bool block = m_serial.read(text, m_read.serial, m_reporter, m_state);
     if (!block) {
@@ -121,7 +121,7 @@ bool LineReader::readStreamed(std::string_view& text, bool first) {
     return block;
 }
 
-/// Whether an O-word begins the program that runs; another one is the end of it.
+/// Whether an O-word begins the program that is running; any other one ends it.
 bool LineReader::beginsProgram(std::size_t index) {
     const bool begins = m_calls.inMainProgram() ? m_read.sourceBlocks == 0 : index == m_calls.level().entry;
     if (!begins)
@@ -129,7 +129,7 @@ bool LineReader::beginsProgram(std::size_t index) {
     return begins;
 }
 
-/// LinuxCNC runs what is between two "%". One alone is forgiven at the end of the file.
+/// LinuxCNC runs what is between two "%". A single one is accepted at the end of the file.
 void LineReader::handlePercent(std::size_t index) {
     if (m_dialect.streamed) {
         m_reporter.report(nc_message::kPercentRefused, 1, 1);
@@ -148,7 +148,7 @@ void LineReader::handlePercent(std::size_t index) {
     }
 }
 
-/// Each of many lines with a "%" asks, so that what was looked through is remembered.
+/// Called for each of many lines with a "%", so the searched range is remembered.
 std::size_t LineReader::firstTextFrom(std::size_t index) {
     auto& [first, end] = m_blankLines;
     if (index >= first && index < end)

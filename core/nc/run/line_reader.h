@@ -18,8 +18,8 @@ namespace proveout {
 
 /// How far the main text was read, and what was found in it. A value.
 struct ReadState {
-    std::size_t linesRead = 0; ///< counted to the last one that was reached
-    std::size_t linesSeen = 0; ///< counted to the last one on which anything so far depends
+    std::size_t linesRead = 0; ///< number of lines up to the last one that was reached
+    std::size_t linesSeen = 0; ///< number of lines up to the last one on which any result depends
     std::size_t sourceBlocks = 0;
     double mainNumber = 0; ///< O of the main program
     bool percentOpen = false;
@@ -30,13 +30,13 @@ struct ReadState {
     bool longNumberReported = false;
 };
 
-/// Reads the line at which the call stack stands, and reports what is to be said about it as text: the first
-/// "%" and the last, lines that come over a serial line, what control codes and long lines mean. Keeps
-/// references to its arguments.
+/// Reads the current line of the call stack, and reports what concerns it as text: the first "%" and the
+/// last, lines received over a serial line, the meaning of control codes and long lines. Keeps references to
+/// its arguments.
 class LineReader {
 public:
     enum class Content : std::uint8_t {
-        nothing,    ///< to execute
+        nothing,    ///< nothing to execute
         unreadable, ///< the line has an error, not yet reported
         words       ///< a statement, a block, assignments
     };
@@ -44,14 +44,14 @@ public:
     LineReader(const NcText& text, const Dialect& dialect, ControlVariables& variables, MachineState& state,
                ReadState& read, CallStack& calls, Reporter& reporter);
 
-    /// Where the dialect's controls begin to read. Once, before the first line.
+    /// Moves to where the dialect's controls begin to read. Once, before the first line.
     void begin();
     Content read(Line& line);
-    /// The line as it was read: what a serial line takes out is blank.
+    /// The line as it was read: characters removed by a serial line are blank.
     [[nodiscard]] std::string_view lineText() const { return m_lineText; }
 
-    /// The first line of the main text from `index` on that holds anything; the number of lines where there
-    /// is none.
+    /// The first line of the main text from `index` on that is not empty; the number of lines if there is
+    /// none.
     [[nodiscard]] std::size_t firstTextFrom(std::size_t index);
 
 private:
@@ -73,7 +73,7 @@ private:
     SerialLine m_serial;
     std::string_view m_lineText;
     std::size_t m_loneCr; ///< line of the main text
-    /// Lines that are known to hold nothing: from the first on, before the second.
+    /// Lines that are known to be empty: from the first on, before the second.
     std::pair<std::size_t, std::size_t> m_blankLines{0, 0};
 };
 

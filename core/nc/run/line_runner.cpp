@@ -31,7 +31,7 @@ ControlState LineRunner::controlState() const {
 
 void LineRunner::runWatched() {
     const std::string_view text = m_calls.currentText();
-    // To look at a value is no use of it by the program.
+    // Reading a value for display does not count as use by the program.
     m_watch.begin(text, m_variables.context(), controlState().modes);
     m_variables.forgetReads();
     runLine();

@@ -14,8 +14,8 @@
 
 namespace proveout {
 
-/// Runs the line at which the call stack stands, from its text to motions, jumps and calls. Keeps references
-/// to its arguments.
+/// Runs the current line of the call stack, from its text to motions, jumps and calls. Keeps references to
+/// its arguments.
 class LineRunner {
 public:
     LineRunner(const NcText& text, const InterpretOptions& options, const Dialect& dialect,
@@ -24,12 +24,12 @@ public:
 
     /// Once, before the first line.
     void begin() { m_reader.begin(); }
-    /// False where the rest of the program is not wanted: it is too long, or the line is watched.
+    /// False if the rest of the program is not needed: it is too long, or the line is watched.
     [[nodiscard]] bool run();
-    /// At the end of a text or program: back to the caller; false in the main program.
+    /// At the end of a text or program: returns to the caller; false in the main program.
     [[nodiscard]] bool leaveText() { return m_flow.leaveText(); }
 
-    /// Whether what was run since the last call of this depends on more than parameters.
+    /// Whether the lines that ran since the last call of this function depend on more than parameters.
     [[nodiscard]] bool consumeDependence();
     [[nodiscard]] ControlState controlState() const;
     [[nodiscard]] bool hasModalMacro() const { return m_flow.hasModalMacro(); }

@@ -31,7 +31,8 @@ const char* unitOf(Quantity quantity, const MachineState& state) {
     return "";
 }
 
-/// Calls `note(begin, value)` for each parameter that the line names, one of another's number first itself.
+/// Calls `note(begin, value)` for each parameter that the line names; a parameter that is the number of
+/// another one comes first.
 template<typename Note>
 void forParameters(std::string_view text, const ReadContext& context, const Note& note) {
     for (std::size_t at = 0; at < text.size();) {

@@ -14,7 +14,7 @@
 
 namespace proveout {
 
-/// Notes what one line of the main text means when it is executed first, and how often it is.
+/// Records what one line of the main text means at its first execution, and how often it is executed.
 class LineWatch {
 public:
     /// `line`: 1-based; 0: none is watched.
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] bool active() const { return m_values.line > 0; }
     [[nodiscard]] const LineValues& values() const { return m_values; }
 
-    /// Before and behind an execution of it; `modes` are the codes in force.
+    /// Before and after an execution of it; `modes` are the codes in force.
     void begin(std::string_view text, const ReadContext& context, std::vector<ControlState::Mode> modes);
     void end(const Line& line, std::string_view text, const ReadContext& context, const MachineState& state,
              std::vector<ControlState::Mode> modes);

@@ -82,7 +82,7 @@ void lintBlock(LintView view) {
         run(feedWord, view);
     if (block.has('T'))
         run(toolWord, view);
-    // What moves without a cutter is told by the simulation.
+    // Motions without a cutter are reported by the simulation.
     if (moved && !memory.missingTools.empty())
         memory.missingTools.erase(state.tool);
     if (view.execution.dialect.leastMm != 1)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is no error and yet seldom meant. One row a rule.
+// Checks for what is allowed but seldom intended. One row per rule.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,26 @@
 
 namespace proveout {
 
-/// When a rule looks.
+/// When a rule is checked.
 enum class LintMoment : std::uint8_t {
     block,       ///< at a block with codes
     feedWord,    ///< at a block with F
-    lengths,     ///< at every block, where numbers without a point are least units
+    lengths,     ///< at every block, if numbers without a point are in least increments
     arcByRadius, ///< at an arc by its radius
     firstCut,    ///< at the first feed motion of a tool
     toolWord,    ///< at a block with T
     toolChange,  ///< at M6
     end,         ///< at the end of the program
-    elsewhere,   ///< told by the part of the interpreter that notices it
+    elsewhere,   ///< reported by the part of the interpreter that notices it
 };
 
-/// What a rule looks at.
+/// What a rule examines.
 struct LintView {
     const Execution& execution;
-    const MachineState& before; ///< the block
+    const MachineState& before; ///< the state before the block
     LintMemory& memory;
     std::size_t firstMotion;  ///< of the block
-    std::uint64_t groups = 0; ///< a bit for every modal group that the block has a code of
+    std::uint64_t groups = 0; ///< one bit for every modal group of which the block has a code
 
     [[nodiscard]] bool has(ModalGroup group) const {
         return (groups >> static_cast<unsigned>(group) & 1U) != 0;
@@ -41,14 +41,14 @@ struct LintView {
 struct LintRule {
     const FindingRow* message; ///< its id names the rule
     LintMoment moment;
-    void (*check)(const LintView&, const FindingRow&); ///< tells the message; null: told elsewhere
+    void (*check)(const LintView&, const FindingRow&); ///< reports the message; null: reported elsewhere
 };
 
 [[nodiscard]] std::span<const LintRule> lintRules();
 
-/// Looks at a block that was executed.
+/// Checks a block that was executed.
 void lintBlock(LintView view);
-/// Looks at the end of the program: at the block that ends it, or at the last one where none does.
+/// Checks the end of the program: the block that ends it, or the last one if none does.
 void lintEnd(const LintView& view);
 
 } // namespace proveout

@@ -15,9 +15,9 @@ namespace proveout::lint {
 
 namespace {
 
-constexpr double kNearlyHalf = 0.5; ///< degrees from 180; the centre moves far with the last digit there
+constexpr double kNearlyHalf = 0.5; ///< degrees from 180; there the centre moves far with the last digit
 
-/// The word of a code in the block; null where it has none.
+/// The word of a code in the block; null if it has none.
 const Word* find(const LintView& view, char letter, int tenths) {
     for (const Word& word : view.execution.block.codes()) {
         if (word.letter == letter && std::lround(word.value * 10) == tenths)
@@ -42,7 +42,7 @@ void report(const LintView& view, const FindingRow& message, const Word& word,
     view.execution.reporter.report(message, word, std::move(arguments));
 }
 
-/// Where a message about the whole block points.
+/// The word that a message about the whole block points to.
 Word anyWord(const LintView& view) {
     const Block& block = view.execution.block;
     if (!block.codes().empty())
@@ -62,9 +62,9 @@ void add(std::string& list, const std::string& name) {
     list += (list.empty() ? "" : ", ") + name;
 }
 
-/// The codes in force that a tool change or the end of a program is expected without.
+/// The codes in force that should be off at a tool change or at the end of a program.
 std::string codesLeftOn(const MachineState& state, const Dialect& dialect) {
-    // What is in force without them.
+    // The codes in force when these are off.
     constexpr std::array kOff{900, 170, 150, 501, 500, 690};
     constexpr std::array kGroups{ModalGroup::distance,  ModalGroup::plane,   ModalGroup::polar,
                                  ModalGroup::mirroring, ModalGroup::scaling, ModalGroup::rotation};
@@ -97,7 +97,7 @@ bool changesTool(const LintView& view) {
     return view.has(ModalGroup::toolChange) && find(view, 'M', kM6) != nullptr;
 }
 
-/// Only remembers it: of a tool that moves, the simulation tells that it has no cutter.
+/// Only records it: the simulation reports that a tool that moves has no cutter.
 void toolNotInTable(const LintView& view, const FindingRow& /*message*/) {
     ToolOffsets& tools = view.execution.tools;
     const int tool = view.execution.state.selectedTool;
@@ -112,14 +112,14 @@ void feedZero(const LintView& view, const FindingRow& message) {
 }
 
 void lengthMissing(const LintView& view, const FindingRow& message) {
-    // A machine for LinuxCNC that is zeroed with its one tool needs none.
+    // A machine for LinuxCNC that is zeroed with its only tool needs none.
     const int needed = view.execution.dialect.macros == MacroLanguage::macroB ? 1 : 2;
     if (view.memory.toolChanges >= needed && !view.memory.lengthChosen)
         report(view, message, anyWord(view), {std::to_string(view.execution.state.tool)});
 }
 
 void offsetNeverChosen(const LintView& view, const FindingRow& message) {
-    // Programs for LinuxCNC and its like seldom name the one that is in force at the start.
+    // Programs for LinuxCNC and similar controls seldom name the offset that is in force at the start.
     if (!view.memory.offsetChosen && view.execution.dialect.macros == MacroLanguage::macroB)
         report(view, message, anyWord(view));
     view.memory.offsetChosen = true;
@@ -188,7 +188,7 @@ void noPoint(const LintView& view, const FindingRow& message) {
         if (!block.has(letter) || view.memory.pointReported.has(letter))
             continue;
         const Word& word = block.word(letter);
-        // K counts repeats in a cycle, and the words of a macro are its own.
+        // K is the number of repeats in a cycle, and the words of a macro have their own meaning.
         const bool count = letter == 'K' && isCycle(view.execution.state.motion);
         if (word.point || word.value == 0 || count || findGroup(view, ModalGroup::macroCall) != nullptr)
             continue;

@@ -6,7 +6,7 @@
 
 namespace proveout::lint {
 
-/// Notes what later rules want to know of a block with codes.
+/// Records what later rules need to know about a block with codes.
 void remember(const LintView& view);
 [[nodiscard]] bool changesTool(const LintView& view);
 

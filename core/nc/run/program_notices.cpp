@@ -39,7 +39,7 @@ void ProgramNotices::reportGuess() {
     m_reporter.report(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
 }
 
-/// Codes that the list of ignored ones has, but that have an effect.
+/// Reports codes on the list of ignored ones that nevertheless have an effect.
 void ProgramNotices::reportListedButExecuted() {
     constexpr int kTenths = 10;
     m_reporter.beginLine(1);
@@ -85,7 +85,7 @@ void ProgramNotices::reportEnd(std::size_t rest) {
         reportUnseen();
 }
 
-/// Lines without a way to them, tools that are never changed to.
+/// Reports unreachable lines, and tools that are selected but never changed to.
 void ProgramNotices::reportUnseen() {
     for (const auto& [line, leaving] : m_run.unreachable.find(m_text, m_dialect.macros)) {
         m_reporter.beginLine(static_cast<std::uint32_t>(line + 1));
@@ -97,7 +97,7 @@ void ProgramNotices::reportUnseen() {
     }
 }
 
-/// Axes without which a motion cut nothing were reported there.
+/// Axes because of which a motion cut nothing have been reported there.
 void ProgramNotices::reportNeverKnown() {
     const MachineState& state = m_run.memory.machine;
     const auto never = static_cast<std::uint8_t>(kAllAxes & ~(state.everKnown | state.unknownReported));

@@ -13,7 +13,7 @@
 
 namespace proveout {
 
-/// Reports what only the whole program shows, before its first line and behind its last one. Keeps references
+/// Reports what only the whole program shows, before its first line and after its last one. Keeps references
 /// to its arguments.
 class ProgramNotices {
 public:
@@ -23,10 +23,10 @@ public:
           m_program(program), m_reporter(reporter) {}
 
     void reportBeginning();
-    /// `rest`: the first line behind those that were read that holds anything; the number of lines where
-    /// there is none.
+    /// `rest`: the first line after those that were read that is not empty; the number of lines if there is
+    /// none.
     void reportEnd(std::size_t rest);
-    /// One message a code, at the line where it was met first.
+    /// One message per code, at the line of its first occurrence.
     void reportIgnoredCodes();
 
 private:

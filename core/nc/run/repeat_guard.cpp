@@ -12,7 +12,7 @@ bool RepeatGuard::mayRun() {
     return !repeatsTooMuch() && !goesRoundForGood();
 }
 
-/// Loops and calls have limits, beyond which nobody waits for their end.
+/// Loops and calls have limits, so that every program ends in reasonable time.
 bool RepeatGuard::repeatsTooMuch() {
     const Repetition& repetition = m_state.repetition;
     const Repetition::Verdict verdict = repetition.verdict(m_limits);
@@ -53,14 +53,14 @@ void RepeatGuard::end(const Started& line, bool depends) {
     const bool reported = m_reporter.count() > line.reported;
     m_state.reportedAgain += line.again && reported ? 1 : 0;
     Repetition& repetition = m_state.repetition;
-    // What was reported once may be done otherwise the next time.
+    // A line that reports something for the first time may behave differently the next time.
     if (depends || reported)
         repetition.noteUse();
     repetition.leftTo(m_calls.resetLowestDepth());
     repetition.end(line.length, m_calls.line() <= line.at ? std::optional(line.at) : std::nullopt, m_program);
 }
 
-/// A loop whose condition never changes, because a line of it cannot be read, does not run to the limit.
+/// A loop whose condition never changes, because one of its lines cannot be read, must not run to the limit.
 bool RepeatGuard::reportsTooOften() const {
     constexpr std::size_t kMostAgain = 10'000;
     if (m_state.reportedAgain < kMostAgain)

@@ -11,15 +11,15 @@
 
 namespace proveout {
 
-/// What a program has done again so far. A value.
+/// What a program has repeated. A value.
 struct RepeatState {
     Repetition repetition;
-    std::size_t reportedAgain = 0; ///< lines that were reported about though they had run before
+    std::size_t reportedAgain = 0; ///< reports about lines that had run before
     bool runsAgain = false;        ///< a line was reached that is before one reached earlier
 };
 
-/// Ends a program that comes back to its lines too often, so that nobody waits for its end: asked before and
-/// after each line. Keeps references to its arguments.
+/// Ends a program that comes back to its lines too often, so that it ends in reasonable time: called before
+/// and after each line. Keeps references to its arguments.
 class RepeatGuard {
 public:
     RepeatGuard(const Repetition::Limits& limits, RepeatState& state, CallStack& calls,
@@ -27,21 +27,22 @@ public:
         : m_limits(limits), m_state(state), m_calls(calls), m_parameters(parameters), m_program(program),
           m_reporter(reporter) {}
 
-    /// Whether the line of the call stack may run; reported where not.
+    /// Whether the current line of the call stack may run; reported if not.
     [[nodiscard]] bool mayRun();
 
     /// What is remembered of a line while it runs.
     struct Started {
-        bool again = false; ///< it stands before one that was reached
+        bool again = false; ///< the line is before one that was already reached
         std::size_t at = 0;
         std::size_t length = 0;
         std::size_t reported = 0;
     };
-    /// Before it runs. `linesRead`: of the main text, up to the last one that was reached.
+    /// Call it before the line runs. `linesRead`: lines of the main text up to the last one that was reached.
     [[nodiscard]] Started begin(std::size_t linesRead);
-    /// After it. `depends`: what it does depends on more than parameters and the place of the program.
+    /// Call it after the line. `depends`: whether its effect depends on more than parameters and the position
+    /// in the program.
     void end(const Started& line, bool depends);
-    /// Whether too many lines were reported about again and again, which is reported.
+    /// Whether too many lines were reported repeatedly, which is reported in turn.
     [[nodiscard]] bool reportsTooOften() const;
 
 private:

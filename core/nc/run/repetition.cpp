@@ -7,7 +7,7 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kCharactersOfWork = 64; ///< that take about as long as a line itself
+constexpr std::size_t kCharactersOfWork = 64; ///< characters that take about as long as a line itself
 
 std::size_t made(const Program& program) {
     return program.motionCount() + program.events().size();
@@ -45,8 +45,8 @@ void Repetition::leftTo(std::size_t depth) {
         m_head.reset();
 }
 
-/// One head is kept: as long as nothing changes it is replaced after twice as many jumps as before, so that a
-/// round of any number of jumps is found (Brent's cycle detection).
+/// One head is kept: as long as nothing changes, it is replaced after twice as many jumps as before, so that
+/// a round of any number of jumps is found (Brent's cycle detection).
 bool Repetition::closes(Head head, const Program& program) {
     head.changes += m_uses;
     if (m_head == head)

@@ -13,9 +13,10 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kFirstPublished = 100'000;  ///< motions; shorter programs are ready in a moment
-constexpr std::size_t kPublishedAgain = 4;        ///< times as many
-constexpr std::size_t kMostPublished = 2'000'000; ///< a copy of more would take memory from the whole
+constexpr std::size_t kFirstPublished = 100'000;  ///< motions; shorter programs are complete almost at once
+constexpr std::size_t kPublishedAgain = 4;        ///< factor to the next publication
+constexpr std::size_t kMostPublished = 2'000'000; ///< a copy of more would use memory that the whole program
+                                                  ///< needs
 
 /// The lines [first, last) of a text.
 NcText part(const NcText& text, std::size_t first, std::size_t last) {
@@ -29,8 +30,7 @@ bool hasTargets(const NcText& text) {
     return !FlowIndex(text).empty() || !MacroIndex(text).empty();
 }
 
-/// Whether the lines from `first` on in which two texts differ hold anything that a call or a jump could
-/// look for.
+/// Whether the lines from `first` on in which two texts differ contain a possible target of a call or a jump.
 bool targetsChanged(const NcText& a, const NcText& b, std::size_t first) {
     const std::size_t most = std::min(a.lineCount(), b.lineCount()) - first;
     std::size_t same = 0;
@@ -51,7 +51,7 @@ bool sameText(const NcText& a, const NcText& b) {
     return a.size() == b.size() && a.lineCount() == b.lineCount() && a.sameLines(b) + 1 >= a.lineCount();
 }
 
-/// Hands out the program so far, less and less often.
+/// Publishes the unfinished program, at growing intervals.
 class Publisher {
 public:
     Publisher(const ResumableInterpreter::Publish& publish, const std::string& file)
@@ -97,11 +97,11 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
         m_resumedAt = m_points[usable - 1].calls.line;
         run.resume(m_points[usable - 1], *m_last->program);
     }
-    // Of what was read farther nothing is forgotten for a look back.
+    // Points after this place are kept when only the same text is examined again.
     if (again && usable < unchanged && sameText(text, m_last->text))
         return run.run();
 
-    // Whatever is thrown: places without the program that they belong to are worth nothing.
+    // In case of an exception: points without the program that they belong to are useless.
     m_last.reset();
     forgetFrom(usable);
     if (usable == 0)
@@ -112,7 +112,7 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
         return keep(std::move(point));
     });
     now.program = run.run();
-    // A loop without an end takes back what it has made.
+    // An endless loop discards what it has made.
     std::erase_if(m_points, [&](const ResumePoint& point) {
         return point.program.motions > now.program->motionCount() ||
                point.program.events > now.program->events().size();
@@ -138,7 +138,7 @@ std::size_t ResumableInterpreter::keep(ResumePoint point) {
     const std::size_t line = point.calls.line;
     m_points.push_back(std::move(point));
     if (m_points.size() == kMostPoints) {
-        // Every other one stays.
+        // Every second one is kept.
         for (std::size_t i = 0; i < kMostPoints / 2; ++i)
             m_points[i] = std::move(m_points[2 * i + 1]);
         forgetFrom(kMostPoints / 2);

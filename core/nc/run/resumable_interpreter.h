@@ -14,20 +14,19 @@
 
 namespace proveout {
 
-/// Interprets a text again and again while it is edited, or looked at block by block: each time from the last
-/// place before the first change, and before the block at which to stop or the line that is watched, at which
-/// the run before can be taken up. The program is the one that `interpret` makes. One call at a time, any
-/// thread. Keeps the text and the program of the farthest call, and some 50 KB for each of at most
-/// `kMostPoints` places.
+/// Interprets a text repeatedly while it is edited, or examined block by block: each time from the last point
+/// before the first change, and before the block at which to stop or the watched line, at which the earlier
+/// run can be resumed. The program equals that of `interpret`. One call at a time, any thread. Keeps the text
+/// and the program of the farthest call, and some 50 KB for each of at most `kMostPoints` points.
 class ResumableInterpreter {
 public:
     static constexpr std::size_t kMostPoints = 64;
 
-    /// Is given the beginning of a program while the rest is still being read: at first soon, then ever more
-    /// seldom. Its last message says so, and leaves it unverified. On the thread of `interpret`.
+    /// Receives the beginning of a program while the rest is still being read: at first soon, then at growing
+    /// intervals. Its last message says so and marks it unverified. Called on the thread of `interpret`.
     using Publish = std::function<void(const std::shared_ptr<const Program>&)>;
 
-    /// `linesPerPoint`: least distance between two places.
+    /// `linesPerPoint`: smallest distance between two points.
     explicit ResumableInterpreter(std::size_t linesPerPoint = 4096) : m_leastDistance(linesPerPoint) {}
 
     [[nodiscard]] std::shared_ptr<const Program> interpret(const NcText& text,
@@ -35,7 +34,7 @@ public:
                                                            const WorkContext& context = {},
                                                            const Publish& publish = {});
 
-    /// The line, 0-based, from which the last call went on.
+    /// The line, 0-based, from which the last call continued.
     [[nodiscard]] std::size_t resumedAt() const { return m_resumedAt; }
 
 private:

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// A place between two lines of a main program from which a run can be taken up again. A value.
+/// A point between two lines of a main program at which a run can be resumed. A value.
 struct ResumePoint {
     RunState run;
     OffsetRegisters::Contents registers;

@@ -13,7 +13,7 @@
 
 namespace proveout {
 
-/// What an interpretation carries from line to line, beside the calls that it is in. A value.
+/// What an interpretation carries from line to line, in addition to its open calls. A value.
 struct RunState {
     RunState(MacroLanguage language, ToolOffsets known) : memory(language, std::move(known)) {}
 

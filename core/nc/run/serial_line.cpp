@@ -31,7 +31,7 @@ bool isRealtime(char c) {
     return c == '?' || c == '~' || c == '!' || overrides || b == 0x85 || b == 0x86;
 }
 
-/// Orders to the control that move axes or clear offsets.
+/// Commands to the control that move axes or clear offsets.
 LetterSet movedBy(std::string_view command) {
     const bool moves = command.starts_with("$H") || command.starts_with("$J") || command.starts_with("$RST");
     return moves ? LetterSet("XYZ") : LetterSet();
@@ -84,7 +84,7 @@ bool SerialLine::read(std::string_view line, Reported& reported, Reporter& repor
     }
     std::size_t count = 0;
     bool comment = false;
-    bool rest = false; // behind ";"
+    bool rest = false; // after ";"
     for (std::size_t at = 0; at < m_text.size(); ++at) {
         removeComment(at, comment || rest, reported, reporter);
         const char c = m_text[at];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines as a control reads them that gets them over a serial line. Source: grbl 1.1, protocol.c, serial.c.
+// Lines as read by a control that receives them over a serial line. Source: grbl 1.1, protocol.c, serial.c.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace proveout {
 
-/// What grbl does with the characters of a line before it reads words.
+/// How grbl processes the characters of a line before it reads words.
 class SerialLine {
 public:
-    /// What was told already, so that it is told once. A value.
+    /// What has been reported already, so that it is reported once. A value.
     struct Reported {
         bool realtime = false;
         bool deleteMark = false;
@@ -21,12 +21,12 @@ public:
 
     explicit SerialLine(std::size_t longest) : m_longest(longest) {}
 
-    /// Puts blanks in the place of characters that are no part of the block, so that columns stay, and tells
-    /// them. False where the line holds no block: it is an order to the control or too long, which is told;
-    /// what that may have moved is forgotten.
+    /// Replaces characters that are not part of the block by blanks, so that columns stay, and reports them.
+    /// False, with a report, if the line has no block: it is a command to the control or too long; positions
+    /// that it may have changed become unknown.
     [[nodiscard]] bool read(std::string_view line, Reported& reported, Reporter& reporter,
                             MachineState& state);
-    /// The line as read() left it.
+    /// The line after read().
     [[nodiscard]] std::string_view text() const { return m_text; }
 
 private:

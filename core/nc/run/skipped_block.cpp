@@ -15,8 +15,8 @@ namespace proveout {
 
 namespace {
 
-/// In force where the motion code is not known. Without a handler it moves nothing, and forgets the axes that
-/// a block names.
+/// In force when the motion code is unknown. Without a handler it moves nothing, and makes the positions of
+/// the axes that a block names unknown.
 constexpr CodeRow kLostMotion{'G', -1, ModalGroup::motion, PROVEOUT_TEXT("Core", "motion")};
 
 /// The groups whose codes need no other word of their block, in the order in which they take effect.
@@ -24,9 +24,9 @@ constexpr std::array kModes{ModalGroup::units,    ModalGroup::feedMode,    Modal
                             ModalGroup::spindle,  ModalGroup::plane,       ModalGroup::workOffset,
                             ModalGroup::distance, ModalGroup::arcDistance, ModalGroup::retract};
 
-constexpr std::size_t kShortestKeyword = 3; ///< GOTO is no G
+constexpr std::size_t kShortestKeyword = 3; ///< GOTO is not a G
 
-/// How many letters follow each other.
+/// The number of consecutive letters.
 std::size_t lettersFrom(std::string_view line, std::size_t at) {
     const std::size_t begin = at;
     while (at < line.size() && isLetter(line[at]))
@@ -34,7 +34,7 @@ std::size_t lettersFrom(std::string_view line, std::size_t at) {
     return at - begin;
 }
 
-/// What ends a number; anything else after it makes the number doubtful.
+/// Whether a number ends here; if anything else follows, the number is doubtful.
 bool endsNumber(std::string_view line, std::size_t at) {
     while (at < line.size() && (line[at] == ' ' || line[at] == '\t'))
         ++at;
@@ -44,7 +44,7 @@ bool endsNumber(std::string_view line, std::size_t at) {
     return (c >= '@' && c <= 'Z') || c == '^' || c == '(' || c == ';' || c == '#';
 }
 
-/// The only code of a group in the block; null where there is none, or more than one.
+/// The only code of a group in the block; null if there is none, or more than one.
 const Word* onlyCode(const Execution& execution, ModalGroup group, int& count) {
     const Word* found = nullptr;
     count = 0;
@@ -81,7 +81,7 @@ const CodeRow* motionAfter(const Execution& execution, bool codesKnown) {
     return count > 0 ? ended : &kLostMotion;
 }
 
-/// G65 and its like: the letters are arguments of a macro.
+/// G65 and similar codes: the letters are arguments of a macro.
 bool hasArguments(const Execution& execution) {
     return std::ranges::any_of(execution.block.codes(), [&](const Word& word) {
         const CodeRow* row = execution.codes.find(word);
@@ -125,7 +125,8 @@ ReadableWords readableWords(std::string_view line) {
 
 void keepModes(Execution& execution, bool codesKnown) {
     for (const ModalGroup group : kModes) {
-        // A tool is selected before it is changed; what waits for the end of compensation is not changed.
+        // A tool is selected before it is changed; a change that waits for the end of compensation is not
+        // made.
         if (group == ModalGroup::toolChange)
             keepLetter(execution, 'T', selectTool);
         const bool waits = execution.state.compensation.on &&

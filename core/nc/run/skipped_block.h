@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a block that is skipped leaves in force all the same, so that one mistake does not change the motions
+// Which values of a skipped block take effect nevertheless, so that one error does not change the motions
 // after it.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace proveout {
 struct Execution;
 struct CodeRow;
 
-/// The words of a line that can be read, although the line cannot: those with plain numbers.
+/// The readable words of a line that cannot be read as a whole: those with plain numbers.
 struct ReadableWords {
     Block block;
     bool codesKnown = true; ///< every G has a plain number
@@ -20,12 +20,12 @@ struct ReadableWords {
 
 [[nodiscard]] ReadableWords readableWords(std::string_view line);
 
-/// Puts in force the modes, the feed rate and the spindle speed of `execution.block`, whose motion is not
-/// executed. Where the motion code cannot be known, because of `codesKnown`, two motion codes, or a canned
-/// cycle without its levels, motions are skipped without a further message until one is programmed again.
+/// Activates the modes, the feed rate and the spindle speed of `execution.block`, whose motion is not
+/// executed. If the motion code is unknown, because of `codesKnown`, two motion codes, or a canned cycle
+/// without its levels, motions are skipped without a further message until one is programmed again.
 void keepModes(Execution& execution, bool codesKnown);
 
-/// Whether the motion code in force is not known because of a skipped block.
+/// Whether the motion code in force is unknown because of a skipped block.
 [[nodiscard]] bool isLost(const CodeRow* motion);
 
 } // namespace proveout

@@ -53,7 +53,7 @@ int toolLengthInForce(const MachineState& state, const Dialect& /*dialect*/) {
     return state.lengthSign == 0 ? 490 : state.lengthSign > 0 ? 430 : 440;
 }
 
-/// LinuxCNC takes an offset of nothing for none, and restores any other as that of the tool in the spindle.
+/// LinuxCNC treats a zero offset as none, and restores any other as that of the tool in the spindle.
 int toolLengthRestored(const MachineState& state, const Dialect& /*dialect*/) {
     return state.toolOffset == Vec3(0) ? 490 : 430;
 }

@@ -12,7 +12,7 @@
 
 namespace proveout {
 
-/// What the control remembers from one block to the next, and the rules beside it. A value.
+/// What the control remembers from one block to the next, and the memory of the lint rules. A value.
 struct ControlMemory {
     ControlMemory(MacroLanguage language, ToolOffsets known)
         : parameters(language), tools(std::move(known)) {}

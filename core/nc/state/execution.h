@@ -22,25 +22,25 @@
 namespace proveout {
 
 /// The limit of the motions of one block: far more than a machine runs from one, and few enough to be made
-/// and shown in a moment.
+/// and shown quickly.
 inline constexpr std::size_t kMostBlockMotions = 100'000;
 
 struct LintMemory;
 class ProbeTarget;
 
-/// How much a program may make, and whether it is still wanted.
+/// How much a program may make, and whether it has been cancelled.
 struct ProgramLimits {
     std::size_t maxMotions;
     std::uint64_t maxBytes;
     const WorkContext& context;
 
-    /// Whether a block that makes many motions has to stop in between.
+    /// Whether a block that makes many motions has to stop before its end.
     [[nodiscard]] bool reached(const Program& program) const {
         return program.motionCount() > maxMotions || program.bytes() > maxBytes || context.stopped();
     }
 };
 
-/// What the handler of a code works on: the block, and everything that the block may change.
+/// The data for the handler of a code: the block, and everything that the block may change.
 struct Execution {
     const Dialect& dialect;
     const CodeTable& codes;
@@ -54,7 +54,7 @@ struct Execution {
     Reporter& reporter;
     ModalSaves& saves;
     SplineState& splines;
-    LintMemory* lint;    ///< null: nothing is told that is no error
+    LintMemory* lint;    ///< null: only errors are reported
     ProbeTarget* target; ///< of probing motions; null: there is none
     ProgramLimits limits;
     std::size_t callLevel;                 ///< 0: the main program
@@ -67,7 +67,7 @@ struct Execution {
         const Word& word = block.word(letter);
         return word.point ? state.toMm(word.value) : word.value * leastLength();
     }
-    /// What 1 without a decimal point is as a length, in mm.
+    /// The length of 1 without a decimal point, in mm.
     [[nodiscard]] double leastLength() const {
         return state.toMm(state.inch ? dialect.leastInch : dialect.leastMm);
     }
@@ -78,29 +78,29 @@ struct Execution {
         return word.point ? word.value : word.value * dialect.leastMm;
     }
 
-    /// Whether the tool in the spindle has this number and no sizes. The simulation reports it; that the
-    /// registers with its number are empty is part of that.
+    /// Whether this is the number of the tool in the spindle and the tool has no sizes. The simulation
+    /// reports it, which covers the empty registers with its number.
     [[nodiscard]] bool toolLacks(int number) const {
         return number == state.tool && number > 0 && tools.find(number) == nullptr;
     }
 
     [[nodiscard]] bool mustEnd() const { return limits.reached(program); }
-    /// Whether one block may make so many motions; told at the word that asks for them where not. Asked
-    /// before the first one is made.
+    /// Whether one block may make this many motions; if not, it is reported at the word that requests them.
+    /// Call it before the first one is made.
     [[nodiscard]] bool mayMake(double motions, const Word& word) const;
 
-    /// The same control at another block, about which no rule is asked.
+    /// The same control at another block, for which no lint rules are checked.
     [[nodiscard]] Execution at(const Block& other) const;
 };
 
-/// The whole number of a word, told where it is none within the limits.
+/// The whole number of a word; nothing, with a report, if there is none within the limits.
 [[nodiscard]] std::optional<int> wholeNumber(Execution& execution, const Word& word, int least, int most);
 
 /// Checks a block and executes it: every word at its step, each group at most once. A block that contradicts
-/// itself is told and skipped whole, and the axes that it names are forgotten.
+/// itself is reported and skipped as a whole, and the positions of the axes that it names become unknown.
 void executeBlock(Execution& execution);
 
-/// Brings the modes of a saved state back by executing what differs; what goes wrong is told at `word`.
+/// Restores the modes of a saved state by executing what differs; errors are reported at `word`.
 void restore(Execution& execution, const MachineState& saved, const Word& word);
 
 } // namespace proveout

@@ -9,22 +9,22 @@
 
 namespace proveout {
 
-/// Where the calls and jumps of a block lead: set by the handlers of M98, M99, G65 and their like, carried
-/// out when the block is done.
+/// The target of the calls and jumps of a block: set by the handlers of M98, M99, G65 and similar codes,
+/// executed when the block is done.
 struct FlowRequest {
     enum class Kind : std::uint8_t {
         none,
-        call,        ///< of a program by its number
-        callLocal,   ///< of the blocks from a block number on
-        macro,       ///< of a program, with arguments
-        modalMacro,  ///< the same behind every motion that follows
+        call,        ///< a program by its number
+        callLocal,   ///< the blocks from a block number on
+        macro,       ///< a program, with arguments
+        modalMacro,  ///< the same after every motion that follows
         cancelModal, ///< ends that
         returns
     };
     Kind kind = Kind::none;
-    int program = 0; ///< of returns: the block number that the caller goes on with, 0: behind its call
+    int program = 0; ///< for returns: the block number at which the caller continues, 0: after its call
     int repeats = 1;
-    Word word;                      ///< that asked for it
+    Word word;                      ///< the word that requested it
     Parameters::Locals arguments{}; ///< of macros
     std::string name{};             ///< of the program, instead of its number
 };

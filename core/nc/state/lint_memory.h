@@ -11,12 +11,12 @@
 
 namespace proveout {
 
-/// What the rules remember of the blocks before. A value.
+/// What the rules remember of earlier blocks. A value.
 struct LintMemory {
     int toolChanges = 0;             ///< M6 that were executed
-    bool lengthChosen = false;       ///< G43 and its like, since then
+    bool lengthChosen = false;       ///< G43 and similar codes, since then
     bool cut = false;                ///< a feed motion, since then
-    bool offsetChosen = false;       ///< G54 and its like
+    bool offsetChosen = false;       ///< G54 and similar codes
     bool unitsChosen = false;        ///< G20 or G21
     bool compensationBegins = false; ///< no motion since G41 or G42
     bool movedInInch = false;
@@ -26,9 +26,9 @@ struct LintMemory {
         std::uint32_t line = 0;
         Word word;
     };
-    std::map<int, Selected> missingTools; ///< by T, that the table lacks and that nothing moved yet
-    std::set<std::size_t> ambiguousJumps; ///< lines whose jump has several targets, told once
-    LetterSet pointReported;              ///< letters whose numbers without a point were told
+    std::map<int, Selected> missingTools; ///< by T, that are not in the table and have not moved yet
+    std::set<std::size_t> ambiguousJumps; ///< lines whose jump has several targets, reported once
+    LetterSet pointReported;              ///< letters whose numbers without a point have been reported
     double highestFeed =
         -std::numeric_limits<double>::infinity(); ///< Z of the ends of feed motions, since then
 };

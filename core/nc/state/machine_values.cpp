@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kToolNumber = 5400;
 constexpr int kPosition = 5420; ///< X; Y and Z follow
-constexpr int kPositions = 9;   ///< the axes that LinuxCNC knows
+constexpr int kPositions = 9;   ///< the number of axes that LinuxCNC knows
 
 double position(const MachineState& state, int axis) {
     const Vec3 tip =
@@ -30,7 +30,7 @@ double truth(bool value) {
     return value ? 1.0 : 0.0;
 }
 
-/// Ten times the number of the code in force, as LinuxCNC tells it.
+/// Ten times the number of the code in force, as LinuxCNC returns it.
 template<ModalGroup Group>
 double codeOf(const MachineState& state) {
     return activeCode(state, Group, dialect(DialectId::linuxcnc));

@@ -8,19 +8,19 @@
 
 namespace proveout {
 
-/// Where M66 leaves what it has read.
+/// The parameter in which M66 stores its result.
 inline constexpr int kInputParameter = 5399;
 /// The number of the work offset in force.
 inline constexpr int kActiveOffset = 5220;
-/// Where LinuxCNC's probing motions leave what they have found: from X on, and at last whether they have.
+/// Where LinuxCNC's probing motions store their results: from X on, and finally whether they made contact.
 inline constexpr int kProbeContact = 5061;
 inline constexpr int kProbeSuccess = 5070;
-/// Where G31 of Mach leaves what it has found: X, Y, Z, A, B, C.
+/// Where G31 of Mach stores its result: X, Y, Z, A, B, C.
 inline constexpr int kMachProbed = 2000;
 inline constexpr int kMachAxes = 6;
 
-/// What LinuxCNC's parameters tell of the machine: #5420 to #5428, #<_x>, #<_metric> and the like. Keeps a
-/// reference to the state.
+/// The state of the machine in LinuxCNC's parameters: #5420 to #5428, #<_x>, #<_metric> and similar ones.
+/// Keeps a reference to the state.
 class MachineValues : public SystemValues {
 public:
     explicit MachineValues(const MachineState& state) : m_state(state) {}
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const FindingRow* refusal(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
-    /// Whether the parameter of M66 was asked for since the last call of this.
+    /// Whether the parameter of M66 was read since the last call of this function.
     [[nodiscard]] bool consumeInputRead() { return std::exchange(m_inputRead, false); }
 
 private:
@@ -38,8 +38,8 @@ private:
     mutable bool m_inputRead = false;
 };
 
-/// What Mach's parameters tell of the machine: #5220. Its reference positions, and what a probe found before
-/// the program, are refused, because only the machine knows them. Keeps a reference to the state.
+/// The state of the machine in Mach's parameters: #5220. Its reference positions, and the results of a probe
+/// before the program, are refused, because only the machine knows them. Keeps a reference to the state.
 class OffsetValues : public SystemValues {
 public:
     explicit OffsetValues(const MachineState& state) : m_state(state) {}

@@ -10,7 +10,7 @@ namespace proveout {
 
 namespace {
 
-/// The groups that come back together, by one block. The units come before: the feed counts in them.
+/// The groups that are restored together, by one block. The units come before, because the feed is in them.
 constexpr std::array kRestored{
     ModalGroup::feedMode,           ModalGroup::spindleMode, ModalGroup::spindle,    ModalGroup::plane,
     ModalGroup::cutterCompensation, ModalGroup::toolLength,  ModalGroup::workOffset, ModalGroup::distance,
@@ -22,7 +22,7 @@ Block blockOf(const Word& place, char letter, double value) {
     return block;
 }
 
-/// Flood coolant is no mode of its own to LinuxCNC: without mist, it only says that mist is not asked for.
+/// For LinuxCNC, flood coolant is not a separate mode: without mist, it only means that mist is off.
 void addCoolant(const MachineState& from, const MachineState& to, const Word& place,
                 std::vector<Block>& blocks) {
     constexpr double kMist = 7;
@@ -42,7 +42,7 @@ void ModalSaves::save(std::size_t level, const MachineState& state, bool untilRe
     if (m_saves.size() <= level)
         m_saves.resize(level + 1);
     std::optional<Save>& save = m_saves[level];
-    // M70 behind M73 changes what comes back, not that it does.
+    // M70 after M73 changes the saved state, but it is still restored.
     save = Save{state, untilReturn || (save && save->untilReturn)};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What M70 and M73 keep of the modal state, and what M72 restores of it.
+// The modal states that M70 and M73 save, and that M72 restores.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 
 namespace proveout {
 
-/// The states that are kept, at most one for each level of calls; level 0 is the main program. Source:
-/// LinuxCNC, M70 to M73. A value.
+/// The saved states, at most one for each level of calls; level 0 is the main program. Source: LinuxCNC, M70
+/// to M73. A value.
 class ModalSaves {
 public:
-    /// `untilReturn`: the state comes back by itself when the run of the subprogram ends (M73).
+    /// `untilReturn`: the state is restored automatically when the run of the subprogram ends (M73).
     void save(std::size_t level, const MachineState& state, bool untilReturn);
     void discard(std::size_t level);
-    /// Null where nothing is kept at this level.
+    /// Null if nothing is saved at this level.
     [[nodiscard]] const MachineState* at(std::size_t level) const;
-    /// A subprogram at this level has ended: nothing is kept there any more. The state that has to come back.
+    /// A subprogram at this level has ended: its saved state is removed. Returns the state to be restored.
     [[nodiscard]] std::optional<MachineState> endRun(std::size_t level);
 
 private:
@@ -32,8 +32,8 @@ private:
     std::vector<std::optional<Save>> m_saves; ///< by level
 };
 
-/// The blocks that lead from the modes of one state to those of another, in their order, all words at the
-/// place of `word`: as LinuxCNC restores, by codes for what differs. Neither motion nor tool is restored.
+/// The blocks that lead from the modes of one state to those of another, in order, all words at the place of
+/// `word`: as LinuxCNC restores them, by codes for the differences. Neither motion nor tool is restored.
 [[nodiscard]] std::vector<Block> blocksToRestore(const MachineState& from, const MachineState& to,
                                                  const Dialect& dialect, const Word& word);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where LinuxCNC keeps offsets and reference positions among the parameters: X, Y and Z stand in a row.
+// Where LinuxCNC stores offsets and reference positions among the parameters: X, Y and Z are consecutive.
 #pragma once
 
 #include "core/base/geometry.h"
@@ -9,7 +9,7 @@ namespace proveout {
 
 inline constexpr int kHomeParameter = 5161;       ///< G28
 inline constexpr int kSecondHomeParameter = 5181; ///< G30
-inline constexpr int kShiftOnParameter = 5210;    ///< 1 while G92, G52 or G92.3 counts
+inline constexpr int kShiftOnParameter = 5210;    ///< 1 while G92, G52 or G92.3 is in force
 inline constexpr int kShiftParameter = 5211;      ///< G92
 inline constexpr int kFirstOffsetParameter = 5221;
 inline constexpr int kParametersPerOffset = 20;

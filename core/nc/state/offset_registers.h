@@ -15,26 +15,25 @@ namespace proveout {
 
 /// The offset registers of Fanuc's dialect: H and D, geometry and wear, by number. A number that the program
 /// never wrote has the geometry of the tool with its number and no wear. Lengths in mm. Keeps a reference to
-/// the tools. Source: FANUC's operator's manuals, tool compensation memory C; Haas' manuals.
+/// the tools. Source: FANUC's operator's manuals, tool compensation memory C; Haas's manuals.
 class OffsetRegisters {
 public:
     static constexpr int kLargest = 999;
 
     using Entry = RegisterEntry;
 
-    /// `diameters`: the registers of the radius hold twice that much.
+    /// `diameters`: the radius registers hold diameters.
     OffsetRegisters(ToolOffsets& tools, bool diameters) : m_tools(tools), m_diameters(diameters) {}
 
-    /// What stands in a register; nothing where nobody knows. Number 0 holds 0.
+    /// The contents of a register; nothing if unknown. Number 0 holds 0.
     [[nodiscard]] std::optional<double> value(Entry entry, int number) const;
     void set(Entry entry, int number, double value);
 
-    /// Geometry and wear together.
+    /// The sum of geometry and wear.
     [[nodiscard]] std::optional<double> length(int number) const;
     [[nodiscard]] std::optional<double> radius(int number) const;
 
-    /// Whether what stands there comes from tools that were given, or from the program: otherwise it is
-    /// assumed to be 0.
+    /// Whether the contents come from given tools or from the program: otherwise they are assumed to be 0.
     [[nodiscard]] bool certain(Entry entry, int number) const;
 
     /// Whether the radius is that of a tool whose diameter is assumed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What depends on a probing motion, which a simulated stock has answered and not a machine.
+// Whether results depend on a probing motion that was answered by a simulated stock and not by a machine.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,22 @@ struct Execution;
 struct MachineState;
 class Reporter;
 
-/// Left by the last probing motion.
+/// The result of the last probing motion.
 struct ProbeState {
     Vec3 place{0};          ///< where it stopped, in program coordinates, mm
-    std::uint8_t axes = 0;  ///< AxisBits of the machine's position that it has left and nothing else has set
+    std::uint8_t axes = 0;  ///< AxisBits of the machine's position that come from it and that nothing else
+                            ///< has set
     bool simulated = false; ///< answered by the stock of the simulation
-    bool asked = false;     ///< a probing motion was carried out
+    bool asked = false;     ///< a probing motion was executed
     bool assumedReported = false;
     bool useReported = false;
 };
 
-/// Tells once that what follows depends on it.
+/// Reports once that what follows depends on it.
 void reportProbeUse(MachineState& state, Reporter& reporter);
 
-/// Behind a block: whether it went on from where the probe had stopped. `axes`: what ProbeState::axes was
-/// before it; `firstMotion`: of the block.
+/// After a block: checks whether it continued from where the probe had stopped. `axes`: ProbeState::axes
+/// before the block; `firstMotion`: of the block.
 void lookForProbeUse(Execution& execution, std::uint8_t axes, std::size_t firstMotion);
 
 } // namespace proveout

@@ -9,14 +9,14 @@
 
 namespace proveout {
 
-/// What a spline leaves behind for the next block. Program coordinates in mm.
+/// What a spline passes on to the next block. Program coordinates in mm.
 struct SplineState {
-    /// From the start of the next cubic spline to its second control point, so that it goes on smoothly;
+    /// From the start of the next cubic spline to its second control point, so that it continues smoothly;
     /// valid while the program has `handleAt` motions.
     Vec2 handle{0};
     std::size_t handleAt = SIZE_MAX;
 
-    /// The NURBS block that is open: its points so far; empty where none is.
+    /// The points of the open NURBS block; empty if there is none.
     Spline nurbs;
     Vec3 nurbsEnd{0}; ///< machine coordinates
     std::uint8_t nurbsEndKnown = 0;

@@ -5,7 +5,7 @@
 
 namespace proveout {
 
-/// A rotation that began or ended, and behind which its axes were not positioned yet.
+/// A rotation that began or ended, after which its axes have not been positioned yet.
 struct Turning {
     std::uint8_t axes = 0; ///< AxisBits; 0: none
     bool ended = false;

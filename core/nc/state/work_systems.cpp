@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kFirstAdditional = 14001;
 constexpr int kLastAdditional = 20'000;
-constexpr int kFirstOfOld = 7001; ///< the first 48 of them once more
+constexpr int kFirstOfOld = 7001; ///< the first 48 of them a second time
 constexpr int kLastOfOld = 7960;
 constexpr int kLastStandard = 5340;
 

@@ -11,19 +11,19 @@
 
 namespace proveout {
 
-/// A letter with its number, and where it stands in its line (columns are 1-based and count bytes).
+/// A letter with its number, and its place in the line (columns are 1-based and count bytes).
 struct Word {
     char letter = 0; ///< upper case; "@" and "^" are the radius and the angle of a polar end point
     double value = 0;
     int column = 0;
     int length = 0;
-    bool point = true; ///< whether it says how large 1 is: it has a decimal point or was computed
+    bool point = true; ///< whether the number is in whole units: it has a decimal point or was computed
 };
 
-/// Stand for ",C" and ",R" of Fanuc's dialect, which are words of their own.
+/// Represent ",C" and ",R" of Fanuc's dialect, which are words of their own.
 inline constexpr char kChamferLetter = '[';
 inline constexpr char kRoundingLetter = ']';
-/// Stands for "$", with which LinuxCNC selects a spindle.
+/// Represents "$", with which LinuxCNC selects a spindle.
 inline constexpr char kSpindleLetter = '_';
 
 /// A set of letters of words.
@@ -61,7 +61,7 @@ public:
         m_ignoredCodes = 0;
         m_earlier.clear();
     }
-    /// False where there is no room for the word: the letter is there already, or there are too many codes.
+    /// False if the word cannot be added: the letter exists already, or there are too many codes.
     [[nodiscard]] bool add(const Word& word) {
         if (word.letter == 'G' || word.letter == 'M') {
             if (m_codeCount == kMostCodes)
@@ -76,7 +76,7 @@ public:
         return true;
     }
 
-    /// As add(), but a letter that is there already gets the new value.
+    /// Like add(), but a letter that exists already gets the new value.
     [[nodiscard]] bool addOrReplace(const Word& word) {
         if (add(word))
             return true;
@@ -92,17 +92,17 @@ public:
     [[nodiscard]] double value(char letter) const { return m_words[index(letter)].value; }
     [[nodiscard]] LetterSet letters() const { return m_letters; } ///< without G and M
     [[nodiscard]] std::span<const Word> codes() const { return {m_codes.data(), m_codeCount}; }
-    /// Takes the code at `index` of codes() out; words beside it may belong to it.
+    /// Removes the code at `index` of codes(); words beside it may belong to it.
     void ignoreCode(std::size_t index) {
         for (std::size_t i = index + 1; i < m_codeCount; ++i)
             m_codes[i - 1] = m_codes[i];
         --m_codeCount;
         ++m_ignoredCodes;
     }
-    [[nodiscard]] int ignoredCodes() const { return m_ignoredCodes; } ///< how many were taken out
-    /// Words whose letter came once more, in the order of the text.
+    [[nodiscard]] int ignoredCodes() const { return m_ignoredCodes; } ///< number of removed codes
+    /// Words whose letter occurred again later, in the order of the text.
     [[nodiscard]] std::span<const Word> earlier() const { return m_earlier; }
-    /// The name between < and > of the program that the block calls; empty where it gives none.
+    /// The name between < and > of the program that the block calls; empty if it gives none.
     [[nodiscard]] const std::string& called() const { return m_called; }
     void setCalled(std::string_view name) { m_called = name; }
     [[nodiscard]] bool empty() const { return m_letters.empty() && m_codeCount == 0; }

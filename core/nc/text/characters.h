@@ -32,19 +32,19 @@ namespace proveout {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// The first index from `at` on that is no blank; the size of the line where there is none.
+/// The first index from `at` on that is not a blank; the size of the line if there is none.
 [[nodiscard]] constexpr std::size_t skipBlanks(std::string_view line, std::size_t at) {
     while (at < line.size() && isBlank(line[at]))
         ++at;
     return at;
 }
 
-/// Behind the comment that begins at `at`; the end of the line where it is not closed.
+/// The index after the comment that begins at `at`; the end of the line if it is not closed.
 [[nodiscard]] constexpr std::size_t behindComment(std::string_view line, std::size_t at) {
     return line[at] == ';' ? line.size() : std::min(line.find(')', at), line.size() - 1) + 1;
 }
 
-/// Behind the bracket that closes the one at `at`; the end of the line where none does.
+/// The index after the bracket that closes the one at `at`; the end of the line if there is none.
 [[nodiscard]] constexpr std::size_t behindBracket(std::string_view line, std::size_t at) {
     int open = 0;
     for (; at < line.size(); ++at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Codes and the words of a block.
+// Messages about codes and the words of a block.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutter compensation.
+// Messages about cutter compensation.
 #pragma once
 
 #include <array>

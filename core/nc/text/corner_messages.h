@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chamfers and corner radii between two motions.
+// Messages about chamfers and corner radii between two motions.
 #pragma once
 
 #include <array>

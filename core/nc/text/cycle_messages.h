@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Canned cycles, hole patterns and pockets.
+// Messages about canned cycles, hole patterns and pockets.
 #pragma once
 
 #include <array>

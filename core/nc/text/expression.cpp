@@ -13,7 +13,7 @@ namespace {
 
 using Value = tl::expected<double, ReadError>;
 
-constexpr double kWhole = 1e-4; ///< numbers nearer to a whole one than this count as whole
+constexpr double kWhole = 1e-4; ///< numbers nearer to a whole number than this count as whole
 constexpr int kWeakest = 1;
 
 double numberOf(double value) {
@@ -38,7 +38,7 @@ tl::unexpected<ReadError> fail(const FindingRow& message, std::size_t begin, std
     return tl::unexpected(readError(message, begin, end, argument));
 }
 
-/// Counts the levels of an expression while it stands.
+/// Counts the open levels of an expression during its lifetime.
 class Level {
 public:
     explicit Level(int& depth) : m_depth(++depth) {}
@@ -156,7 +156,7 @@ tl::expected<ParameterName, ReadError> ExpressionReader::parameterName(std::size
         return fail(nc_message::kParameterNotWhole, begin, at, m_line.substr(begin, at - begin));
     const bool small = whole >= 0 && whole <= Parameters::kLargest;
     const int index = small ? static_cast<int>(whole) : -1;
-    // Asked for its value last: that counts as reading it.
+    // The value is evaluated last, because that counts as reading it.
     if (!small || !(m_parameters.exists(index) || m_system.writable(index) || m_system.refusal(index) ||
                     m_system.numbered(index)))
         return fail(nc_message::kParameterNumber, begin, at, m_line.substr(begin, at - begin));
@@ -190,7 +190,7 @@ Value ExpressionReader::bracket(std::size_t& at) {
     return result;
 }
 
-/// What follows a bracket that stands open.
+/// The contents of an open bracket.
 Value ExpressionReader::bracketed(std::size_t& at) {
     const Level level(m_brackets);
     if (m_deepestBrackets > 0 && m_brackets > m_deepestBrackets)
@@ -240,7 +240,7 @@ Value ExpressionReader::operation(double left, std::size_t& at, int strength) {
     }
 }
 
-/// The row of a table that stands at `at`, which then points behind it; null where none does.
+/// The row of a table that matches at `at`, which is then moved to after it; null if there is none.
 template<class Row>
 const Row* ExpressionReader::accepted(std::span<const Row> rows, std::size_t& at) const {
     for (const Row& row : rows) {
@@ -271,7 +271,7 @@ Value ExpressionReader::function(std::size_t& at, std::string_view letter) {
     return *result * unit;
 }
 
-/// ATAN[y]/[x] and its like; `at` stands behind the name.
+/// ATAN[y]/[x] and similar functions; `at` is after the name.
 Value ExpressionReader::ofPair(const PairFunction& function, std::size_t begin, std::size_t& at) {
     if (peek(at) != '[')
         return fail(nc_message::kBracketMissing, begin, at, m_line.substr(begin, at - begin));
@@ -301,7 +301,7 @@ Value ExpressionReader::ofPair(const PairFunction& function, std::size_t begin, 
     return *result;
 }
 
-/// EXISTS[#<name>]; of a number, whether there is such a parameter.
+/// EXISTS[#<name>]; for a number, whether there is such a parameter.
 Value ExpressionReader::existence(std::size_t& at) {
     const std::size_t begin = at;
     if (!accept(at, "[") || !accept(at, "#"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers, parameters and expressions as they stand in an NC line.
+// Numbers, parameters and expressions as written in an NC line.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace proveout {
 
-/// A parameter that a line names: by number, or by name where `name` is not empty.
+/// A parameter that a line names: by number, or by name if `name` is not empty.
 struct ParameterName {
     int number = 0;
     std::string name; ///< lower case, without blanks
@@ -22,16 +22,16 @@ struct ParameterName {
     bool operator==(const ParameterName&) const = default;
 };
 
-/// What expressions are evaluated with.
+/// The data with which expressions are evaluated.
 struct ReadContext {
     const Parameters& parameters;
     const SystemValues& system;
     const Dialect& dialect;
-    bool blockDelete = false; ///< what stands behind a "/" within a block is skipped
+    bool blockDelete = false; ///< text after a "/" within a block is skipped
 };
 
-/// Reads values from one line. Blanks may stand anywhere, letters may be of either case. Keeps references to
-/// its arguments. Not for lines of which nobody has looked at the length: linear in the line.
+/// Reads values from one line. Blanks are allowed anywhere, case is ignored. Keeps references to its
+/// arguments. The length of the line must have been checked before: the time is linear in it.
 class ExpressionReader {
 public:
     static constexpr int kDeepest = 100; ///< levels of brackets, signs and parameters of parameters
@@ -41,24 +41,24 @@ public:
           m_rules(expressionRules(context.dialect.macros)),
           m_deepestBrackets(context.dialect.deepestBrackets) {}
 
-    /// The value that begins at `at`, which then points behind it: a number, a parameter, a bracket or a
-    /// function, with a sign or without; kNull is one, where the dialect knows null. `letter` names in
-    /// messages what the value belongs to.
+    /// The value that begins at `at`, which is then moved to after it: a number, a parameter, a bracket or a
+    /// function, with or without a sign; kNull is a value if the dialect has null. `letter` is the word that
+    /// messages name.
     [[nodiscard]] tl::expected<double, ReadError> value(std::size_t& at, std::string_view letter);
 
     /// The value of the expression that begins at `at`, which needs no brackets around it.
     [[nodiscard]] tl::expected<double, ReadError> expression(std::size_t& at, std::string_view letter);
 
-    /// The least unit of the letter whose value is read: ROUND counts in it, where the dialect says so.
+    /// The least increment of the letter whose value is read: ROUND uses it, if the dialect requires that.
     void setLeastUnit(double unit) { m_leastUnit = unit; }
 
-    /// What follows "#"; `at` points at it, and then behind the name.
+    /// The name after "#"; `at` points to it, and then after it.
     [[nodiscard]] tl::expected<ParameterName, ReadError> parameterName(std::size_t& at);
 
 private:
     using Value = tl::expected<double, ReadError>;
 
-    [[nodiscard]] char peek(std::size_t& at) const; ///< upper case, behind blanks; 0 at the end
+    [[nodiscard]] char peek(std::size_t& at) const; ///< upper case, after blanks; 0 at the end
     bool accept(std::size_t& at, std::string_view word) const;
     [[nodiscard]] Value inRange(const Value& value, std::size_t begin, std::size_t end,
                                 std::string_view letter) const;
@@ -84,7 +84,7 @@ private:
     double m_leastUnit = 1;
     int m_depth = 0;
     int m_deepestBrackets;
-    int m_brackets = 0; ///< that stand open
+    int m_brackets = 0; ///< number of open brackets
 };
 
 } // namespace proveout

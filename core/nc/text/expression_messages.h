@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Expressions, parameters and variables.
+// Messages about expressions, parameters and variables.
 #pragma once
 
 #include <array>

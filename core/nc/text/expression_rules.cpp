@@ -8,12 +8,12 @@ namespace proveout {
 
 namespace {
 
-constexpr double kEqual = 1e-4;      ///< LinuxCNC takes numbers nearer than this for equal
-constexpr double kAlike = 1e-9;      ///< custom macro B: more than its eight digits
+constexpr double kEqual = 1e-4;      ///< LinuxCNC treats numbers nearer than this as equal
+constexpr double kAlike = 1e-9;      ///< custom macro B: finer than its eight digits
 constexpr double kFullTurn = 360;    ///< degrees
-constexpr double kLargestWord = 2e9; ///< of operations on bits
+constexpr double kLargestWord = 2e9; ///< in operations on bits
 
-// As LinuxCNC rounds: MOD makes much of the last bit of a large number.
+// As LinuxCNC rounds: MOD amplifies the last bit of a large number.
 constexpr long double kPi = std::numbers::pi_v<long double>;
 
 double radians(double degrees) {
@@ -60,13 +60,13 @@ Outcome lessOrEqual(double left, double right) {
     return truth(left <= right);
 }
 
-/// The rest has the sign of the divisor's amount: never negative. By 0 it is no number.
+/// The result is never negative, even for a negative divisor. With divisor 0 it is not a number.
 Outcome modulo(double left, double right) {
     const double rest = std::fmod(left, right);
     return rest < 0 ? rest + std::abs(right) : rest;
 }
 
-/// The rest has the sign of the dividend.
+/// The result has the sign of the dividend.
 Outcome remainder(double left, double right) {
     return right == 0 ? Outcome() : std::fmod(left, right);
 }
@@ -101,7 +101,7 @@ Outcome onBits(double left, double right, Operation operation) {
     return static_cast<double>(operation(std::llround(left), std::llround(right)));
 }
 
-/// Null equals nothing but null, not even 0.
+/// Null equals only null, not even 0.
 bool alike(double left, double right) {
     if (isNull(left) || isNull(right))
         return isNull(left) && isNull(right);

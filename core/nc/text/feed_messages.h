@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feed, spindle and coolant.
+// Messages about feed, spindle and coolant.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subprograms, branches, loops and jumps.
+// Messages about subprograms, branches, loops and jumps.
 #pragma once
 
 #include <array>

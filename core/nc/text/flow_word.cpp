@@ -15,7 +15,7 @@ struct Keyword {
     FlowKind kind;
 };
 
-// A word that begins another one stands behind it.
+// A word that is the beginning of another one comes after it.
 constexpr Keyword kKeywords[] = {
     {"sub", FlowKind::sub},
     {"endsub", FlowKind::endSub},
@@ -34,7 +34,7 @@ constexpr Keyword kKeywords[] = {
     {"continue", FlowKind::continues},
 };
 
-/// Where the O of a line stands, or the end of the line.
+/// The position of the O of a line, or the end of the line.
 std::size_t placeOfO(std::string_view line) {
     std::size_t at = skipBlanks(line, 0);
     if (at < line.size() && line[at] == '/')
@@ -51,7 +51,7 @@ tl::unexpected<ReadError> fail(const FindingRow& message, std::size_t begin, std
     return tl::unexpected(readError(message, begin, end, argument));
 }
 
-/// Reads the label behind the O; the index behind it.
+/// Reads the label after the O; returns the index after it.
 tl::expected<std::size_t, ReadError> readLabel(std::string_view line, FlowWord& word) {
     const std::size_t at = word.labelAt;
     const char first = at < line.size() ? line[at] : '\0';

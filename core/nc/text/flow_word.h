@@ -15,7 +15,7 @@
 namespace proveout {
 
 enum class FlowKind : std::uint8_t {
-    programNumber, ///< O alone: the name of a program, or where one for M98 begins
+    programNumber, ///< O alone: the name of a program, or the beginning of one for M98
     sub,
     endSub,
     call,
@@ -36,13 +36,13 @@ enum class FlowKind : std::uint8_t {
 /// The O-word of a line.
 struct FlowWord {
     FlowKind kind = FlowKind::programNumber;
-    std::string label;         ///< "100", or a name in lower case; empty where it has to be computed
-    std::size_t labelAt = 0;   ///< of the label behind the O, as an index into the line
+    std::string label;         ///< "100", or a name in lower case; empty if it has to be computed
+    std::size_t labelAt = 0;   ///< of the label after the O, as an index into the line
     std::size_t begin = 0;     ///< of the O
-    std::size_t arguments = 0; ///< what follows the keyword
+    std::size_t arguments = 0; ///< index of the text after the keyword
 };
 
-/// Whether a line has an O-word, behind "/" and N. Fast: most lines have none.
+/// Whether a line has an O-word, after "/" and N. Fast, because most lines have none.
 [[nodiscard]] bool hasFlowWord(std::string_view line);
 
 /// Reads the O-word of a line that has one.

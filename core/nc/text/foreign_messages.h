@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What single controls refuse or ignore: grbl, Mach3 and Mach4.
+// Messages about what single controls refuse or ignore: grbl, Mach3 and Mach4.
 #pragma once
 
 #include <array>

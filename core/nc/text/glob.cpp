@@ -16,7 +16,7 @@ bool isOfName(char c) {
 } // namespace
 
 bool matchesGlob(std::string_view pattern, std::string_view text) {
-    // Only the last "~" is ever tried again: what matched before it matches as well wherever that begins.
+    // Only the last "~" is ever retried: whatever matched before it matches regardless of where that begins.
     constexpr std::size_t kNone = std::string_view::npos;
     std::size_t p = 0;
     std::size_t t = 0;

@@ -5,8 +5,8 @@
 
 namespace proveout {
 
-/// Whether a pattern stands for the whole of a text in upper case: "~" is anything or nothing, "#" a number
-/// of digits, "?" one digit, "@" a name of letters, digits and "_"; "\" before a character takes it as it is.
+/// Whether a pattern matches the whole of a text in upper case: "~" is any text or none, "#" one or more
+/// digits, "?" one digit, "@" a name of letters, digits and "_"; "\" before a character makes it literal.
 /// Time: at most the product of both lengths.
 [[nodiscard]] bool matchesGlob(std::string_view pattern, std::string_view text);
 

@@ -12,9 +12,9 @@ namespace proveout {
 namespace {
 
 constexpr LetterSet kLengths("XYZIJKRQUVW[]");
-constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can hold
+constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can store
 
-/// DC1 to DC4 of a serial line, the end-of-file byte of DOS.
+/// DC1 to DC4 of a serial line, and the end-of-file byte of DOS.
 bool isControlCode(char c) {
     return (c >= 0x11 && c <= 0x14) || c == 0x1a;
 }
@@ -49,7 +49,7 @@ private:
             readItem();
     }
 
-    /// "/", or "/1" to "/9" where a control has several switches for it.
+    /// "/", or "/1" to "/9" if a control has several switches for it.
     void skipDeleteMark() {
         ++m_at;
         skipBlanks();
@@ -101,7 +101,7 @@ private:
             failOnCharacter();
     }
 
-    /// What only custom macro B's dialect knows; false where `c` begins nothing of that kind.
+    /// Reads items that only custom macro B's dialect has; false if `c` does not begin one.
     bool readMacroItem(char c) {
         if (upperCase(c) == 'O' || c == ':') {
             readProgramNumber();
@@ -223,7 +223,7 @@ private:
             failOnNumber(number, begin);
     }
 
-    /// M98 and M99, which LinuxCNC looks for at the beginning of a line only.
+    /// M98 and M99, which LinuxCNC recognizes only at the beginning of a line.
     [[nodiscard]] bool callsOrReturns(const Word& word) const {
         constexpr double kCall = 98;
         constexpr double kReturn = 99;
@@ -288,7 +288,7 @@ private:
     void addWord(char letter, double value, std::size_t begin, std::size_t end, bool point) {
         m_at = end;
         if (isNull(value))
-            return; // as if the word were not there
+            return; // null: the word is ignored
         const Word word{letter, value, static_cast<int>(begin + 1), static_cast<int>(end - begin), point};
         if (callsOrReturns(word) && (m_seenComment || !m_line.block.empty() || !m_line.assignments.empty()))
             m_line.lateCall = {word.column, word.length};
@@ -316,11 +316,11 @@ private:
             fail(nc_message::kNumberOutOfRange, begin, number.end, letter);
             return;
         case NumberStatus::expression:
-            return; // never failed on
+            return; // this status is not an error
         }
     }
 
-    /// Points at what stands in the place of the number, or at the letter where the line ends there.
+    /// Marks what is in place of the number, or the letter if the line ends there.
     void failOnMissing(std::size_t place, std::size_t begin) {
         while (place < m_text.size() && isBlank(m_text[place]))
             ++place;

@@ -27,32 +27,33 @@ struct Place {
     int length = 0;
 };
 
-/// One line of an NC program, taken apart. `block` is meant to be used again for the next line.
+/// One parsed line of an NC program. `block` is meant to be reused for the next line.
 struct Line {
     Block block;
-    std::vector<Assignment> assignments; ///< take effect after the whole line was read, in this order
-    std::optional<FlowWord> flow;        ///< then the line has nothing else, and its arguments are not read
-    std::optional<MacroStatement> statement; ///< then the words before it are none
+    std::vector<Assignment> assignments;     ///< take effect after the whole line was read, in this order
+    std::optional<FlowWord> flow;            ///< if set, the line has nothing else, and its arguments are not
+                                             ///< read
+    std::optional<MacroStatement> statement; ///< if set, the words before it do not count
     bool programNumber = false;              ///< a program of custom macro B's dialect begins
     double program = 0;                      ///< its number
     std::optional<double> blockNumber;       ///< N
-    bool percent = false;                    ///< a line with nothing but "%"
+    bool percent = false;                    ///< a line with only "%"
     bool deleteMark = false;                 ///< begins with "/"
     int controlCodeColumn = 0;               ///< of a control code that was skipped, 0: none
     Place lateCall;                          ///< M98 or M99 of LinuxCNC with something before it
-    Place longBlockNumber;                   ///< an N word that no control could hold
+    Place longBlockNumber;                   ///< an N word that no control could store
     std::optional<ReadError> error;          ///< `block` holds the words before it
 };
 
 /// Reads a line without its line end: N word, words, comments, in any mixture of cases and blanks. Comments
-/// order nothing. Parameters have the values of before the line. After an error the rest of the line is not
-/// read.
+/// have no effect. Parameters have the values from before the line. After an error the rest of the line is
+/// not read.
 void readLine(std::string_view text, const ReadContext& context, Line& line);
-/// The same of what stands from index `from` on, behind a THEN.
+/// The same for the text from index `from` on, after a THEN.
 void readRest(std::string_view text, std::size_t from, const ReadContext& context, Line& line);
 
-/// The letters of the axes that a line seems to name, also where it cannot be read: for the interpreter,
-/// which then no longer knows where these axes stand.
+/// The letters of the axes that a line seems to name, even if it cannot be read: the interpreter then treats
+/// the positions of these axes as unknown.
 [[nodiscard]] LetterSet axisLetters(std::string_view text);
 
 } // namespace proveout

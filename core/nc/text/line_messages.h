@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines that cannot be read: characters, words, comments, block numbers, "%".
+// Messages about lines that cannot be read: characters, words, comments, block numbers, "%".
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is allowed but seldom meant; the table of the rules is in core/nc/run/lint.cpp.
+// Messages about what is allowed but seldom intended; the table of the rules is in core/nc/run/lint.cpp.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keeps a program from being read: its file, its dialect, and the list of its ignored codes.
+// Messages about what keeps a program from being read: its file, its dialect, and the list of its ignored
+// codes.
 #pragma once
 
 #include <array>

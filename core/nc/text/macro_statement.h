@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The statements of custom macro B that are no assignments: jumps, loops, output. Syntax only.
+// The statements of custom macro B other than assignments: jumps, loops, output. Syntax only.
 #pragma once
 
 #include <cstddef>
@@ -15,19 +15,20 @@ enum class StatementKind : std::uint8_t {
     whileLoop, ///< WHILE […] DO m
     doLoop,    ///< DO m
     endLoop,   ///< END m
-    output,    ///< DPRNT […] and its like: nothing that moves
+    output,    ///< DPRNT […] and similar statements, which do not move anything
 };
 
 struct MacroStatement {
     StatementKind kind = StatementKind::gotoBlock;
     std::size_t begin = 0; ///< of its keyword, as an index into the line
-    std::size_t rest = 0;  ///< what follows it
+    std::size_t rest = 0;  ///< index of the text after it
 };
 
-/// The statement whose keyword stands at `at`; nothing where none does.
+/// The statement whose keyword is at `at`; nothing if there is none.
 [[nodiscard]] std::optional<MacroStatement> readStatement(std::string_view line, std::size_t at);
 
-/// Whether a word of letters stands at `at`, blanks between them allowed; `at` then points behind it.
+/// Whether a keyword is at `at`, where blanks between its letters are allowed; `at` is then moved to after
+/// it.
 [[nodiscard]] bool readKeyword(std::string_view line, std::size_t& at, std::string_view keyword);
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that the NC room has to say about a program: one row a message, one header a subject.
+// All messages of the NC library about a program: one row per message, one header per subject.
 #pragma once
 
 #include "core/nc/text/code_messages.h"         // IWYU pragma: export

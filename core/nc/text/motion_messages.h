@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Positions, lines and arcs.
+// Messages about positions, lines and arcs.
 #pragma once
 
 #include <array>

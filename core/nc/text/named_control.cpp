@@ -13,7 +13,7 @@ namespace {
 
 using enum DialectId;
 
-/// A name of a control, as a comment has it in upper case.
+/// A name of a control, as it occurs in a comment in upper case.
 struct NameRow {
     DialectId dialect;
     std::string_view name;
@@ -25,17 +25,17 @@ constexpr NameRow kNames[] = {
     {grbl, "GRBLHAL"},      {mach, "MACH2MILL"}, {mach, "MACH3MILL"}, {mach, "MACH4MILL"},
 };
 
-/// Beside one of these a name is that of the post processor or of the control, not one in prose.
+/// Next to one of these, a name is that of the post processor or of the control, not one in prose.
 constexpr std::string_view kContexts[] = {" POST ",      " POSTPROCESSOR ", " POSTPROCESS ", " PREPROCESSOR ",
                                           " GCODE FOR ", " CODE FOR ",      " OUTPUT FOR "};
-/// Likewise where the comment begins with it.
+/// The same if the comment begins with one of these.
 constexpr std::string_view kKeys[] = {" MACHINE ", " CONTROL ", " CONTROLLER ", " VENDOR ", " MODEL "};
 
-/// What the posts of Autodesk's CAM write for Haas, and few others.
+/// Texts that the posts of Autodesk's CAM write for Haas, and few others.
 constexpr std::string_view kHaasTexts[] = {" USING G0 WHICH TRAVELS ALONG DOGLEG PATH ",
                                            " USING HIGH FEED G1 F"};
 
-/// The comment of a line, its words in upper case with one blank round each; empty where there is none.
+/// The comment of a line, its words in upper case with one blank around each; empty if there is none.
 std::string commentOf(std::string_view line) {
     std::string out;
     const std::size_t begin = line.find_first_of("(;");
@@ -57,10 +57,10 @@ std::string commentOf(std::string_view line) {
     return out;
 }
 
-/// Whether a comment says for whom it was written by naming it: beside "post", behind "machine", or alone
-/// with its model: "(FANUC 0M)", but not "(Fanuc M98 needs a P word)".
+/// Whether a comment names the control it was written for: beside "post", after "machine", or alone with its
+/// model: "(FANUC 0M)", but not "(Fanuc M98 needs a P word)".
 bool isNamed(std::string_view comment, std::string_view name) {
-    constexpr std::ptrdiff_t kMostBlanks = 4; // round three words
+    constexpr std::ptrdiff_t kMostBlanks = 4; // around three words
     const std::string word = ' ' + std::string(name) + ' ';
     if (comment.find(word) == std::string_view::npos)
         return false;

@@ -8,14 +8,14 @@
 
 namespace proveout {
 
-/// The control that a comment says the text was written for.
+/// The control that a text was written for according to a comment.
 struct NamedControl {
     DialectId dialect = DialectId::linuxcnc;
-    bool named = false; ///< otherwise the comment is only such as the posts for this control write
+    bool named = false; ///< if false, the comment is only typical of the posts for this control
 };
 
-/// What the first comment of a line says of it: by a name beside "post", behind "machine", or alone with its
-/// model; nothing where it says nothing, or only mentions a control.
+/// What the first comment of a line says about it: by a name beside "post", after "machine", or alone with
+/// its model; nothing if it says nothing, or only mentions a control.
 [[nodiscard]] std::optional<NamedControl> namedControl(std::string_view line);
 
 } // namespace proveout

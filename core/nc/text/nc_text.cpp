@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pieces of the text are runs of whole lines of shared buffers. An edit replaces the lines it touches by
-// a new, small buffer; small neighbours are taken into it, so that typing does not leave a piece per key.
+// a new, small buffer; small neighbours are merged into it, so that typing does not leave a piece per key.
 #include "core/nc/text/nc_text.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kSmallPiece = 4096;
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 
-/// Bytes and where their lines begin; a line end behind the last byte begins no line here.
+/// Bytes and where their lines begin; a line end after the last byte does not begin a line here.
 struct Buffer {
     std::string bytes;
     std::vector<std::uint32_t> lineStarts;
@@ -28,15 +28,15 @@ struct Buffer {
         std::size_t lineFeed = bytes.find('\n', skipped);
         for (std::size_t at = skipped; at < bytes.size();) {
             lineStarts.push_back(static_cast<std::uint32_t>(at));
-            // Looked for only once per line feed: a text with CR alone must not cost a search per line.
+            // Searched only once per line feed: a text with only CR must not cost a search per line.
             if (lineFeed != std::string::npos && lineFeed < at)
                 lineFeed = bytes.find('\n', at);
             at = endOfLine(at, std::min(lineFeed, bytes.size()));
         }
     }
 
-    /// One past the line end (LF, CR LF or CR) of the line that begins at `at`; the next line feed, or the
-    /// end of the text, lies at `reach`.
+    /// The index after the line end (LF, CR LF or CR) of the line that begins at `at`; the next line feed, or
+    /// the end of the text, is at `reach`.
     [[nodiscard]] std::size_t endOfLine(std::size_t at, std::size_t reach) {
         const std::size_t past = std::min(reach + 1, bytes.size());
         const auto* const cr = static_cast<const char*>(std::memchr(bytes.data() + at, '\r', reach - at));
@@ -52,7 +52,7 @@ struct Buffer {
 
 struct Piece {
     std::shared_ptr<const Buffer> buffer;
-    std::size_t firstLine; ///< of the buffer
+    std::size_t firstLine; ///< in the buffer
     std::size_t lines;
     std::size_t textLine;   ///< lines of the text before this piece
     std::size_t textOffset; ///< bytes of the text before this piece
@@ -62,7 +62,7 @@ struct Piece {
         return index < buffer->lineStarts.size() ? buffer->lineStarts[index] : buffer->bytes.size();
     }
     [[nodiscard]] std::size_t size() const { return start(lines) - start(0); }
-    /// Of one line, its end included.
+    /// The bytes of one line, including its line end.
     [[nodiscard]] std::string_view bytesOf(std::size_t line) const {
         return std::string_view(buffer->bytes).substr(start(line), start(line + 1) - start(line));
     }
@@ -86,7 +86,7 @@ bool endsLine(std::string_view text) {
 struct NcText::State {
     std::vector<Piece> pieces;
     std::size_t size = 0;
-    std::size_t lines = 0; ///< without the empty one behind a last line end
+    std::size_t lines = 0; ///< without the empty one after a last line end
     bool byteOrderMark = false;
 
     void add(std::shared_ptr<const Buffer> buffer, std::size_t firstLine, std::size_t count) {
@@ -96,7 +96,7 @@ struct NcText::State {
         size += pieces.back().size();
         lines += count;
     }
-    /// The lines [first, last) of a piece of another state.
+    /// Adds the lines [first, last) of a piece of another state.
     void add(const Piece& piece, std::size_t first, std::size_t last) {
         add(piece.buffer, piece.firstLine + first, last - first);
     }
@@ -115,7 +115,7 @@ struct NcText::State {
         return static_cast<std::size_t>(next - pieces.begin()) - 1;
     }
 
-    /// The line that holds the byte at `offset`; `lines` for the end of the text behind a line end.
+    /// The line that contains the byte at `offset`; `lines` for the end of the text after a line end.
     [[nodiscard]] std::size_t lineAt(std::size_t offset) const {
         if (offset >= size)
             return endsWithLineEnd() ? lines : lines - 1;
@@ -143,7 +143,7 @@ struct NcText::State {
         }
     }
 
-    /// Takes over the lines [first, last) of `other` without copying their bytes.
+    /// Adds the lines [first, last) of `other` without copying their bytes.
     void share(const State& other, std::size_t first, std::size_t last) {
         for (const Piece& piece : other.pieces) {
             const std::size_t begin = std::max(first, piece.textLine);
@@ -153,7 +153,7 @@ struct NcText::State {
         }
     }
 
-    /// Widens the lines [first, last) over small pieces beside them.
+    /// Extends the lines [first, last) by small pieces beside them.
     void widen(std::size_t& first, std::size_t& last) const {
         if (first > 0 && first <= lines) {
             const Piece& before = pieces[pieceOfLine(first - 1)];
@@ -207,7 +207,8 @@ bool NcText::hadByteOrderMark() const {
 
 std::size_t NcText::firstLoneCr() const {
     for (const Piece& piece : m_state->pieces) {
-        // The buffer may hold lines that are no longer part of the text, so that its flag is a first guess.
+        // The buffer may contain lines that are no longer part of the text, so its flag is only a first
+        // guess.
         for (std::size_t i = 0; piece.buffer->loneCr && i < piece.lines; ++i) {
             if (piece.buffer->bytes[piece.start(i + 1) - 1] == '\r')
                 return piece.textLine + i;
@@ -259,7 +260,8 @@ std::size_t NcText::sameLines(const NcText& other) const {
 NcText NcText::replaced(std::size_t offset, std::size_t removed, std::string_view inserted) const {
     const State& old = *m_state;
     assert(offset <= old.size && removed <= old.size - offset);
-    // Whole lines are replaced. The line before belongs to them: its CR may become the first half of a CR LF.
+    // Whole lines are replaced. The line before is included, because its CR may become the first half of a CR
+    // LF.
     std::size_t first = old.lineAt(offset);
     first -= first > 0 ? 1 : 0;
     std::size_t last = std::min(old.lineAt(offset + removed) + 1, old.lines);

@@ -13,9 +13,10 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kSample = 65536; ///< bytes that are looked at
+constexpr std::size_t kSample = 65536; ///< bytes that are examined
 
-/// The name of a UTF-16 or UTF-32 encoding, told by its byte order mark or by where its zero bytes lie.
+/// The name of a UTF-16 or UTF-32 encoding, identified by its byte order mark or by the positions of its zero
+/// bytes.
 const char* wideEncoding(std::string_view text) {
     if (text.starts_with(std::string_view("\xff\xfe\0\0", 4)) ||
         text.starts_with(std::string_view("\0\0\xfe\xff", 4)))
@@ -62,7 +63,7 @@ constexpr BinaryKind kBinaryKinds[] = {
      PROVEOUT_TEXT("Core", "an executable file")},
 };
 
-/// Of a file that is no text; null where it is not known.
+/// The kind of a file that is not text; null if unknown.
 const char* nameOfBinary(std::string_view bytes) {
     constexpr std::size_t kStlHead = 84;
     constexpr std::size_t kStlFacet = 50;

@@ -19,12 +19,12 @@ constexpr std::array<double, 23> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6
                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t kExactInteger = std::uint64_t{1} << 53;
 
-/// What may stand between the digits of a number.
+/// Characters that are allowed between the digits of a number.
 bool isGap(char c) {
     return c == ' ' || c == '\t';
 }
 
-/// For the numbers that do not fit into 53 bits: the characters of [begin, end) without blanks.
+/// For numbers that do not fit into 53 bits: the characters of [begin, end) without blanks.
 double readSlowly(std::string_view line, std::size_t begin, std::size_t end) {
     std::string digits;
     digits.reserve(end - begin);
@@ -35,7 +35,7 @@ double readSlowly(std::string_view line, std::size_t begin, std::size_t end) {
     double value = 0;
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (read.ec == std::errc::result_out_of_range) {
-        // Underflow or overflow: what stands before the point decides.
+        // Underflow or overflow: the digits before the point decide.
         const std::size_t nonZero = digits.find_first_not_of('0');
         return nonZero != std::string::npos && digits[nonZero] != '.' ? HUGE_VAL : 0.0;
     }
@@ -103,7 +103,7 @@ NumberRead readNumber(std::string_view line, std::size_t at) {
     read.point = point;
     if (value > kLargestNumber)
         read.status = NumberStatus::outOfRange;
-    // Without this, "-0" would print and compare oddly further on.
+    // Otherwise "-0" would print and compare oddly later on.
     read.value = negative && value != 0 ? -value : value;
     return read;
 }

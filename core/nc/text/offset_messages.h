@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Offsets, transformations, reference positions and machine coordinates.
+// Messages about offsets, transformations, reference positions and machine coordinates.
 #pragma once
 
 #include <array>

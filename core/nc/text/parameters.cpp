@@ -50,7 +50,7 @@ bool isGlobal(std::string_view name) {
     return name.starts_with('_');
 }
 
-/// Counts what is another value than before; null is one.
+/// Counts a change to a different value; null is a value.
 void change(double& stored, double value, std::uint64_t& changes) {
     changes += std::bit_cast<std::uint64_t>(stored) == std::bit_cast<std::uint64_t>(value) ? 0U : 1U;
     stored = value;
@@ -77,7 +77,7 @@ bool Parameters::exists(int number) const {
 }
 
 std::size_t Parameters::placeOf(int number) const {
-    // G54.1 P1 to P48 stand under two numbers.
+    // G54.1 P1 to P48 have two numbers each.
     if (m_language == MacroLanguage::macroB && number >= kFirstAlias && number <= kLastAlias)
         number += kAliasOf - kFirstAlias;
     std::size_t before = 0;

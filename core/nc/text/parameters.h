@@ -16,34 +16,35 @@
 
 namespace proveout {
 
-/// What a program reads but cannot keep: where the machine stands, which tool it holds. Asked before the
-/// parameters that were stored.
+/// Values that a program can read but that are not stored as parameters: the position of the machine, the
+/// tool in its spindle. They have priority over stored parameters.
 class SystemValues {
 public:
     virtual ~SystemValues() = default;
-    /// The value of a system parameter by number; nothing where the number is an ordinary parameter.
+    /// The value of a system parameter by number; nothing if the number is an ordinary parameter.
     [[nodiscard]] virtual std::optional<double> numbered(int number) const = 0;
-    /// Why a system parameter cannot be read as the machine stands now; null where it can.
+    /// Why a system parameter cannot be read in the present state of the machine; null if it can.
     [[nodiscard]] virtual const FindingRow* refusal(int number) const = 0;
     /// Whether a program may name the number although it can only be written.
     [[nodiscard]] virtual bool writable(int /*number*/) const { return false; }
-    /// The least unit of lengths, where numbers without a decimal point count in it; 1 otherwise.
+    /// The least increment of lengths, if numbers without a decimal point are in it; 1 otherwise.
     [[nodiscard]] virtual double leastUnit() const { return 1; }
-    /// The value of a predefined parameter by name (lower case); nothing where the name is an ordinary one.
+    /// The value of a predefined parameter by name (lower case); nothing if the name is an ordinary one.
     [[nodiscard]] virtual std::optional<double> named(std::string_view name) const = 0;
 
-    /// Whether the result of a probing motion was asked for since the last call of this.
+    /// Whether the result of a probing motion was read since the last call of this function.
     [[nodiscard]] bool consumeProbeRead() const { return std::exchange(m_probeRead, false); }
-    /// The number of a value that was read since the last call of this and is assumed to be 0; 0: none.
+    /// The number of a value that was read since the last call of this function and is assumed to be 0; 0:
+    /// none.
     [[nodiscard]] int consumeAssumedRead() const { return std::exchange(m_assumedRead, 0); }
 
-    /// An expression depends on how the machine stands.
+    /// Call it when an expression depends on the state of the machine.
     void noteUse() const { m_used = true; }
-    /// Whether one did since the last call of this.
+    /// Whether one did since the last call of this function.
     [[nodiscard]] bool consumeUse() const { return std::exchange(m_used, false); }
 
 protected:
-    /// The control asks for a number: what a probing motion leaves lies within.
+    /// Call it when a number is read: the results of a probing motion are between `first` and `last`.
     void noteProbeRead(int number, int first, int last) const {
         m_probeRead = m_probeRead || (number >= first && number <= last);
     }
@@ -56,7 +57,7 @@ private:
     mutable int m_assumedRead = 0;
 };
 
-/// The parameters of a program as its control keeps them. LinuxCNC: numbers up to 5601 that begin as 0, of
+/// The parameters of a program as its control stores them. LinuxCNC: numbers up to 5601 that begin as 0, of
 /// which 1 to 30 belong to the level of the call; names (#<depth>, #<_global>) belong to it too unless they
 /// begin with "_". Custom macro B: #1 to #33 of the level, #100 to #199, #500 to #999, which begin as null,
 /// and offsets. A value: copying it saves the state of a program.
@@ -72,29 +73,29 @@ public:
 
     /// Whether a program may use the number; #0 of custom macro B may only be read.
     [[nodiscard]] bool exists(int number) const;
-    /// Numbers from 0 on. Codes share the places of LinuxCNC's: where a control does not keep such a number,
-    /// it is 0 and stays so.
+    /// Numbers from 0 on. Codes use the numbers of LinuxCNC: if a control does not store such a number, it is
+    /// 0 and stays so.
     [[nodiscard]] double numbered(int number) const;
     void setNumbered(int number, double value);
-    /// What the locals of a call are that gives no arguments.
+    /// The locals of a call without arguments.
     [[nodiscard]] Locals noArguments() const;
 
-    /// Names are in lower case and without blanks. Nothing where the name was never set at this level.
+    /// Names are in lower case and without blanks. Nothing if the name was never set at this level.
     [[nodiscard]] std::optional<double> named(std::string_view name) const;
-    /// False where there are too many names.
+    /// False if there are too many names.
     [[nodiscard]] bool setNamed(std::string_view name, double value);
 
-    /// Those that were set, as far as they can be seen here: numbers as "#100", then names as "#<depth>".
+    /// The parameters that have been set and are visible here: numbers as "#100", then names as "#<depth>".
     [[nodiscard]] std::vector<std::pair<std::string, double>> listed() const;
 
-    /// A call begins with these local numbers and no local names; leave() gives back those of the caller.
+    /// A call begins with these local numbers and no local names; leave() restores those of the caller.
     void enter(const Locals& arguments);
     void leave();
     /// The same for a subprogram that reads and writes the local numbers of its caller; names are its own.
     void enterSharing();
     void leaveSharing();
 
-    /// Rises with every value that is another than before, among those that can be seen at this level.
+    /// Rises with every change to a different value, among the parameters visible at this level.
     [[nodiscard]] std::uint64_t changes() const { return m_changes + m_levels.back().changes; }
 
 private:
@@ -114,7 +115,7 @@ private:
     Names m_globals;
     std::vector<Level> m_levels;
     std::size_t m_nameCount = 0;
-    std::uint64_t m_changes = 0; ///< of what all levels share
+    std::uint64_t m_changes = 0; ///< of the parameters that all levels share
 };
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs of the machine, probing and skip motions.
+// Messages about inputs of the machine, probing and skip motions.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file as a whole, its dialect, and the limits of interpretation.
+// Messages about the file as a whole, its dialect, and the limits of interpretation.
 #pragma once
 
 #include <array>

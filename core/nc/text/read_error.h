@@ -8,7 +8,7 @@
 
 namespace proveout {
 
-/// Why a line could not be read: the first thing in it that has no meaning.
+/// Why a line could not be read: the first part of it that has no meaning.
 struct ReadError {
     const FindingRow* message = nullptr;
     int column = 0; ///< 1-based

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Splines and NURBS.
+// Messages about splines and NURBS.
 #pragma once
 
 #include <array>

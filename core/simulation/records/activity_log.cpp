@@ -66,7 +66,8 @@ void ActivityLog::countNext(std::size_t block) {
     count(m_total, block);
 }
 
-/// Adds in the order of the blocks whatever station it begins at, so that a stretch without time has none.
+/// Adds in the order of the blocks, starting from any station, so that a stretch without time has a sum of
+/// exactly zero.
 ActivitySums ActivityLog::sumsBefore(std::size_t block) const {
     if (block == size())
         return m_total;

@@ -15,8 +15,8 @@
 
 namespace proveout {
 
-/// What a block does; it counts as a whole, and as cutting where any of its motions cuts. A rapid that goes
-/// through stock is a kind of its own, so that no sum hides it.
+/// What a block does; it counts as a whole, and as cutting if any of its motions cuts. A rapid through stock
+/// is a kind of its own, so that it is visible in every sum.
 enum class Activity : std::uint8_t { rapid, air, cutting, rapidInStock };
 inline constexpr std::size_t kActivities = 4;
 [[nodiscard]] Activity activityOf(const Program& program, std::size_t block, const BlockStatistics& row);
@@ -28,26 +28,27 @@ struct ActivitySums {
 
     [[nodiscard]] bool has(Activity activity) const { return blocks[static_cast<std::size_t>(activity)] > 0; }
     [[nodiscard]] bool empty() const { return blocks == std::array<std::uint32_t, kActivities>{}; }
-    /// Its share of the time, in [0, 1]; of the blocks where no time is known or none of them takes any.
+    /// Its share of the time, in [0, 1]; its share of the blocks if no time is known or no block takes any.
     [[nodiscard]] double share(Activity activity) const;
 };
 
-/// The activities of the blocks that were executed, growing with them. A stretch is asked in constant time,
-/// so that a picture of a million blocks costs what its pixels cost. About two bytes a block. One thread.
+/// The activities of the executed blocks, growing with them. The sums of a stretch take constant time, so
+/// that the cost of a picture of a million blocks depends only on its pixels. About two bytes per block. One
+/// thread.
 class ActivityLog {
 public:
-    /// Blocks are known up to here.
+    /// The number of blocks known.
     [[nodiscard]] std::size_t size() const { return m_activities.size(); }
-    /// Rises whenever what was known before is another now, or known no more.
+    /// Rises whenever known values change or become unknown.
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
     void clear();
     /// Appends the blocks from size() on up to `end`, of a program and the rows of its simulation.
     void append(const Program& program, const PersistentArray<BlockStatistics>& rows, std::size_t end);
-    /// Of the program whose blocks are appended; null: not known. Sums up anew.
+    /// The times of the program whose blocks are appended; null: unknown. The sums are computed again.
     void setTimes(std::shared_ptr<const MachineTimes> times);
     [[nodiscard]] const std::shared_ptr<const MachineTimes>& times() const { return m_times; }
 
-    /// Of the blocks [first, last) as far as they are known.
+    /// The sums of the blocks [first, last) as far as they are known.
     [[nodiscard]] ActivitySums sums(std::size_t first, std::size_t last) const;
     [[nodiscard]] const ActivitySums& total() const { return m_total; }
 

@@ -13,11 +13,11 @@ namespace proveout {
 
 namespace {
 
-/// Blocks that are cut at once: their motions take some 10 MB.
+/// Blocks that are cut at once: their motions need some 10 MB.
 constexpr std::size_t kPortion = 65'536;
-/// What two exact cuts may differ by: 1 µm each.
+/// The possible difference of two exact cuts: 1 µm each.
 constexpr double kOnSurface = 2e-3;
-/// A point on the rim of a cutter is cut, and by rounding may lie beside it.
+/// A point on the rim of a cutter is cut, but rounding may place it beside the rim.
 constexpr double kBesideRim = 1e-3; // mm
 
 /// Whether a motion may reach a place over ground with a cutter of that radius.

@@ -13,18 +13,18 @@
 
 namespace proveout {
 
-/// Of all points of a map after the first `blocks` blocks: 1 + the block (0-based) that lowered the point
-/// last, or Provenance::kUncut. Cuts the program once more, from the map `uncut`, in its order; takes the
-/// memory of a map and as much again: ask provenanceBytes() first. Nothing where it was stopped. Any thread.
+/// For each point of a map after the first `blocks` blocks: 1 + the block (0-based) that lowered the point
+/// last, or Provenance::kUncut. Cuts the program a second time, from the map `uncut`, in its order; needs the
+/// memory of a map and as much again: check provenanceBytes() first. Nothing if it was stopped. Any thread.
 [[nodiscard]] std::optional<Provenance> blockProvenance(const ZMapSnapshot& uncut, const Program& program,
                                                         const Setup& setup, std::size_t blocks,
                                                         const WorkContext& context = {});
-/// Of that, beside what the simulation holds.
+/// The memory needed for that, in addition to what the simulation holds.
 [[nodiscard]] double provenanceBytes(const Grid& grid);
 
 /// The one of the first `blocks` blocks that made the surface at a point of the grid, `place`, whose z is the
-/// map's height there: the first that reached it, to 2 µm. Nothing where none did, or it was stopped. Asks
-/// every motion near the place: some 10 ns a motion elsewhere. Any thread.
+/// map's height there: the first that reached it, to 2 µm. Nothing if none did, or if it was stopped.
+/// Evaluates every motion near the place; other motions take some 10 ns each. Any thread.
 [[nodiscard]] std::optional<std::size_t> blockThatMade(const Program& program, const Setup& setup,
                                                        std::size_t blocks, const Vec3& place,
                                                        const WorkContext& context = {});
@@ -37,8 +37,8 @@ struct MapPoint {
     friend bool operator==(const MapPoint&, const MapPoint&) = default;
 };
 
-/// The same of a point of the map of a moment, which may be a closer look at a part of the stock. Nothing
-/// also where the map is as high there as before the first block, whatever has passed along it.
+/// The same for a point of the map of a frame, which may be a detail region. Nothing also if the map is as
+/// high there as before the first block, even if motions have passed along it.
 [[nodiscard]] std::optional<std::size_t> blockThatMade(const Frame& moment, const MapPoint& point,
                                                        const WorkContext& context = {});
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSecondsPerMinute = 60;
 
-/// Straight pieces that stay within kChordError of the motion.
+/// The number of straight pieces that stay within kChordError of the motion.
 std::size_t piecesOf(const Motion& motion) {
     if (motion.kind != MotionKind::arc)
         return 1;

@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// What the simulation has noted itself.
+/// A value that the simulation has recorded itself.
 template<auto member>
 BlockValue noted(const ExecutedRun& run, std::size_t block) {
     return run.rows[block].*member;

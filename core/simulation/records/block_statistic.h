@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of what is known of a block that was executed: one row a statistic. The records of the command
-// line have a column for each; the plots read it too. Adding one is a row and the function that reads it.
+// The table of the known values of an executed block: one row per statistic. The records of the command line
+// have a column for each; the plots read the table too. Adding a statistic takes a row and the function that
+// reads it.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +16,16 @@
 
 namespace proveout {
 
-/// What statistics are read from. References must outlive the call they are given to.
+/// The data from which statistics are computed. References must outlive the call they are passed to.
 struct ExecutedRun {
     const PersistentArray<BlockStatistics>& rows; ///< row k: block k (0-based)
-    const Program* program = nullptr;             ///< null: what depends on it is not known
+    const Program* program = nullptr;             ///< null: values that depend on it are unknown
 };
 
-/// As precise as it was measured, so that it is written with no more digits than that; empty: not known.
+/// In the precision of the measurement, so that it is written with no more digits than that; empty: unknown.
 using BlockValue = std::variant<std::monostate, std::uint32_t, float, double>;
 
-/// A plot of one curve. Texts are for people, marked under the context "Plots".
+/// A plot of one curve. Texts are for the user interface, marked under the context "Plots".
 struct StatisticPlot {
     const char* id; ///< stable
     const char* title;
@@ -34,17 +35,17 @@ struct StatisticPlot {
 };
 
 struct BlockStatistic {
-    const char* column; ///< stable: with its unit where it has one, e.g. "maxDepthMm"
+    const char* column; ///< stable: with its unit if it has one, e.g. "maxDepthMm"
     BlockValue (*read)(const ExecutedRun& run, std::size_t block);
     const StatisticPlot* plot = nullptr; ///< null: it has no plot of its own
 };
 
-/// All of them, in the order of their columns.
+/// All statistics, in the order of their columns.
 [[nodiscard]] std::span<const BlockStatistic> blockStatistics();
-/// By its column; null where there is none.
+/// The statistic of a column; null if there is none.
 [[nodiscard]] const BlockStatistic* findStatistic(std::string_view column);
 
-/// NaN where it is not known.
+/// NaN if the value is unknown.
 [[nodiscard]] double asNumber(const BlockValue& value);
 
 } // namespace proveout

@@ -22,11 +22,11 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kBlocksOfLook = 1024;
-/// Near motions that are cut at once.
+/// Motions near the box that are cut at once.
 constexpr std::size_t kPortion = 16'384;
 constexpr double kRim = 1e-6; // mm; a point on the rim of a cutter is cut
 
-/// What may be lowered of a part.
+/// The volume of a part in which motions may lower points.
 class Neighbourhood {
 public:
     Neighbourhood(const GridPart& part, double topZ)
@@ -48,7 +48,7 @@ private:
     double m_topZ;
 };
 
-/// The points of a map from (i0, j0) on, as a map of its own.
+/// The points of a map from (i0, j0) on, as a separate map.
 ZMapSnapshot cropped(const ZMapSnapshot& map, int i0, int j0, const StockBox& stock, const Grid& grid) {
     ZMap out(stock, grid);
     std::vector<float> row(Tile::kSize);
@@ -64,7 +64,8 @@ ZMapSnapshot cropped(const ZMapSnapshot& map, int i0, int j0, const StockBox& st
     return out.snapshot();
 }
 
-/// Cuts the near ones among the first `blocks` blocks; how many these were, nothing where it was stopped.
+/// Cuts those of the first `blocks` blocks that come near; returns how many motions these were, or nothing if
+/// it was stopped.
 std::optional<std::size_t> cutNear(ZMap& zmap, const GridPart& place, const Neighbourhood& near,
                                    const Program& program, const Setup& setup, std::size_t blocks,
                                    const WorkContext& context) {
@@ -88,13 +89,14 @@ std::optional<std::size_t> cutNear(ZMap& zmap, const GridPart& place, const Neig
     return count;
 }
 
-/// Two maps in whole tiles while it is cut, and then what of them is in the box, with its meshes.
+/// The memory of two maps in whole tiles while the part is cut, and then of the points in the box, with their
+/// meshes.
 double bytesOf(const GridPart& part, double bytesPerPoint) {
     return zmapBytes(part.inWholeTiles().grid()) + zmapBytes(part.grid()) / 2 +
            static_cast<double>(part.nx) * part.ny * bytesPerPoint;
 }
 
-/// To three digits; none where the coarsest does not fit.
+/// To three digits; nothing if the coarsest spacing does not fit.
 template<class Fits>
 std::optional<double> finestThatFits(const BoxOfInterest& box, const Fits& fits) {
     double fine = box.spacing;
@@ -107,7 +109,7 @@ std::optional<double> finestThatFits(const BoxOfInterest& box, const Fits& fits)
     }
     const double digit = std::pow(10.0, std::floor(std::log10(coarse)) - 2);
     double rounded = std::ceil(coarse / digit) * digit;
-    // Tiles are whole: a little coarser may be one more of them.
+    // Tiles are whole: with a slightly coarser spacing there may be one more.
     for (int more = 0; more < 100 && !fits(rounded); ++more)
         rounded += digit;
     return fits(rounded) ? std::optional(rounded) : std::nullopt;
@@ -143,7 +145,7 @@ double boxBytes(const GridPart& part, const DecimationParameters& parameters, co
 }
 
 DecimationParameters fineParameters(double spacing) {
-    constexpr int kRegionCells = 64; // a box is shown as a whole, and never cut again
+    constexpr int kRegionCells = 64; // a detail region is shown as a whole, and never cut again
     DecimationParameters parameters;
     parameters.regionCells = kRegionCells;
     parameters.allowance = spacing / 2;

@@ -13,10 +13,10 @@
 
 namespace proveout {
 
-/// What is to be looked at closer. Value type.
+/// The box to be shown in detail. Value type.
 struct BoxOfInterest {
     PlanBox box;
-    double spacing = 0.01; ///< wanted grid spacing, mm
+    double spacing = 0.01; ///< requested grid spacing, mm
 
     friend bool operator==(const BoxOfInterest&, const BoxOfInterest&) = default;
 };
@@ -25,27 +25,27 @@ struct BoxOfInterest {
 struct FineMap {
     ZMapSnapshot zmap; ///< of the part alone: its stock is the box, from the top to the floor of the whole
     std::size_t block = 0;
-    std::size_t motions = 0; ///< that come near the box, below the top of the stock
+    std::size_t motions = 0; ///< number of motions that come near the box, below the top of the stock
     double seconds = 0;      ///< wall time
 };
 
-/// The grid over a box. Refuses a box or a spacing that cannot be (makeGridPart()), and one whose maps, and
-/// what will be made of them, need more than `limitBytes`, with a spacing that would do.
+/// The grid over a box. Refuses an invalid box or spacing (makeGridPart()), and one whose maps, with
+/// everything made from them, need more than `limitBytes`; the message gives a spacing that would fit.
 [[nodiscard]] Result<GridPart> fineGrid(const Setup& setup, const BoxOfInterest& box,
                                         const DecimationParameters& parameters, const MapOutputs& outputs,
                                         double limitBytes);
 
-/// The most bytes that the maps of a box, and what is made of them, take at a time.
+/// The largest number of bytes that the maps of a box, with everything made from them, need at any one time.
 [[nodiscard]] double boxBytes(const GridPart& part, const DecimationParameters& parameters,
                               const MapOutputs& outputs);
 
-/// How a box is decimated for the screen and for files: within half of its spacing.
+/// How a detail region is decimated for the screen and for files: within half of its spacing.
 [[nodiscard]] DecimationParameters fineParameters(double spacing);
 
-/// Cuts the first `blocks` blocks within the box; ask fineGrid() for `part` first. The heights are those that
-/// a simulation of the whole stock at this spacing has at the same points, to the last bit, on any number of
-/// threads. Looks at every motion (some 50 ns each), and cuts those near the box. Nothing where it was
-/// stopped. Any thread.
+/// Cuts the first `blocks` blocks within the box; get `part` from fineGrid() first. The heights equal those
+/// of a simulation of the whole stock at this spacing at the same points, to the last bit, on any number of
+/// threads. Checks every motion (some 50 ns each), and cuts those near the box. Nothing if it was stopped.
+/// Any thread.
 [[nodiscard]] std::optional<FineMap> cutBox(const Program& program, const Setup& setup, std::size_t blocks,
                                             const GridPart& part, const WorkContext& context = {});
 

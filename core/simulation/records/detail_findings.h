@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The finer grid in a box of the stock.
+// Findings about the detail region, the finer grid in a box of the stock.
 #pragma once
 
 #include <array>

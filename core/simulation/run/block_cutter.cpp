@@ -26,7 +26,7 @@ void judge(const Overhang& overhang, bool unconfirmed, std::size_t block, Findin
         findings.add(block, FindingKind::overhangLost, overhang.volumeMm3, unconfirmed, overhang.place);
 }
 
-/// Whether the cutter may stand over the stock in plan: an axis that is not known may be anywhere.
+/// Whether the cutter may be over the stock in plan: an axis of unknown position may be anywhere.
 bool mayMeetInPlan(const StockBox& stock, const Motion& motion, double radius) {
     const auto within = [&](int axis, AxisBits bit, double from, double length) {
         return (motion.endKnown & bit) == 0 ||
@@ -35,7 +35,7 @@ bool mayMeetInPlan(const StockBox& stock, const Motion& motion, double radius) {
     return within(0, kAxisX, stock.corner.x, stock.width) && within(1, kAxisY, stock.corner.y, stock.depth);
 }
 
-/// Whether the cutter, standing still at the end of the motion, would be in the stock that is left.
+/// Whether the cutter, at rest at the end of the motion, would be in the remaining stock.
 bool isInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion) {
     ZMap trial(zmap.snapshot());
     Motion stationary = motion;
@@ -44,8 +44,8 @@ bool isInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion) {
     return cut(trial, cutter, stationary).maxDepth > kNothingRemoved;
 }
 
-/// A rapid to, at or from the machine's reference position, above everything, that stays clear of the part:
-/// straight up or down, or beginning above the stock. Where it goes down to is looked at elsewhere.
+/// A rapid to, at or from the machine's reference position, which is above everything, that stays clear of
+/// the part: straight up or down, or beginning above the stock. The end of a move down is checked elsewhere.
 bool clearByReference(const StockBox& stock, const Motion& motion) {
     if (motion.startAtReference && motion.endAtReference)
         return true;
@@ -56,8 +56,8 @@ bool clearByReference(const StockBox& stock, const Motion& motion) {
     return motion.endAtReference && (upright || above);
 }
 
-/// A rapid that moves in plan while nobody knows how high may go through the stock. The box of its ends
-/// stands for its path.
+/// A rapid that moves in plan at an unknown height may pass through the stock. The box of its ends is used in
+/// place of its path.
 bool mayCrossAtUnknownHeight(const StockBox& stock, const Motion& motion, double radius) {
     if ((motion.endKnown & kAxisZ) != 0 || (motion.startKnown & (kAxisX | kAxisY)) != (kAxisX | kAxisY))
         return false;
@@ -68,9 +68,9 @@ bool mayCrossAtUnknownHeight(const StockBox& stock, const Motion& motion, double
     return meets(0, stock.corner.x, stock.width) && meets(1, stock.corner.y, stock.depth);
 }
 
-/// The path of a rapid from an unknown position is unknown too, so it cuts nothing. Most programs begin so,
-/// with a move to a safe height; one that ends in the stock, or goes on over it at an unknown height, must
-/// not pass for checked.
+/// The path of a rapid from an unknown position is unknown too, so it cuts nothing. Most programs begin this
+/// way, with a move to a safe height; a rapid that ends in the stock, or continues over it at an unknown
+/// height, must not count as checked.
 void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& motion, std::size_t block,
                        FindingLog& findings) {
     if (clearByReference(zmap.stock(), motion))
@@ -87,18 +87,19 @@ void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& mot
         findings.add(block, FindingKind::rapidUnchecked, below);
 }
 
-/// The cutter of a motion; none where it is not known, or only probes.
+/// The cutter of a motion; null if it is unknown, or only probes.
 const Cutter* cutterOf(const Motion& motion, const Setup& setup, const ToolChoice& tools) {
     return motion.probing ? nullptr : setup.tools.find(tools.tool(motion.tool));
 }
 
-/// Whether nobody has confirmed the sizes of the tool of a motion, or that it is the one in the spindle.
+/// Whether the sizes of the tool of a motion are not confirmed, or the tool is only assumed to be in the
+/// spindle.
 bool isUnconfirmed(const Motion& motion, const Setup& setup, const ToolChoice& tools) {
     return tools.isAssumed(motion.tool) || setup.tools.unconfirmedOrigin(tools.tool(motion.tool)) != nullptr;
 }
 
-/// Cuts one motion and adds what it leaves above the head of the cutter, which costs a moment of the map and
-/// so is only for cutters with one. Nothing where it was stopped: the map may have been cut then.
+/// Cuts one motion and adds the material left above the head of the cutter; that needs a snapshot of the map
+/// and so is done only for cutters with a head. Nothing if it was stopped: the map may have been cut then.
 std::optional<CutRecord> cutWithHead(ZMap& zmap, const Cutter& cutter, const Motion& motion,
                                      Overhang& overhang, const std::stop_token& stop) {
     const ZMapSnapshot before = zmap.snapshot();
@@ -131,7 +132,7 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         if (stop.stop_possible() && !before && (measured || motions.last - motions.first > 1))
             before = zmap.snapshot();
         std::optional<CutRecord> record;
-        if (!stop.stop_requested()) // a motion that is little work does not look, but a cycle has thousands
+        if (!stop.stop_requested()) // a motion with little work does not check, but a cycle has thousands
             record = measured ? cutWithHead(zmap, *cutter, motion, overhang, stop)
                               : cut(zmap, *cutter, motion, stop);
         if (!record) {

@@ -16,21 +16,21 @@
 namespace proveout {
 
 /// Cuts all motions of block `block` (0-based), each with its own tool; motions without a cutter cut nothing
-/// (and ToolChoice::missing() has told so already). What is found goes to `findings`, unless it is null.
-/// Called by the thread that owns `zmap`. Where it is stopped the map is what it was before the block,
-/// findings are without it, and there is no record.
+/// (ToolChoice::missing() has reported this already). Findings are added to `findings`, unless it is null.
+/// Called by the thread that owns `zmap`. If it is stopped, the map is as before the block, findings do not
+/// include the block, and there is no record.
 [[nodiscard]] std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_t block,
                                                 const Setup& setup, const ToolChoice& tools,
                                                 FindingLog* findings, const std::stop_token& stop);
 
-/// All motions of the blocks [first, last), each with its cutter, or none where it cuts nothing, and marked
-/// by 1 + its block. The cutters are those of `setup`.
+/// All motions of the blocks [first, last), each with its cutter, or null if it cuts nothing, and marked by 1
+/// + its block. The cutters are those of `setup`.
 [[nodiscard]] std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t first,
                                                       std::size_t last, const Setup& setup,
                                                       const ToolChoice& tools);
 
-/// The blocks [first, last) at once, where only heights are wanted: the same as of cutBlock(). False where it
-/// was stopped, and the map is what it was.
+/// Cuts the blocks [first, last) at once, where only heights are needed, with the same result as cutBlock().
+/// False if it was stopped; the map is unchanged then.
 [[nodiscard]] bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last,
                              const Setup& setup, const ToolChoice& tools, const std::stop_token& stop);
 

@@ -9,12 +9,12 @@
 
 namespace proveout {
 
-/// Whether the z-map has the heights of an earlier moment in a rectangle of points. Tiles that both share are
-/// not looked into.
+/// Whether the z-map has the heights of an earlier snapshot in a rectangle of points. Tiles that both share
+/// are not compared.
 [[nodiscard]] bool sameHeights(const ZMap& zmap, const ZMapSnapshot& moment, const IndexRect& rect);
 
-/// The regions, ascending, whose heights differ between two moments of one grid. Only regions in tiles that
-/// the moments do not share are compared.
+/// The regions, ascending, whose heights differ between two snapshots of one grid. Only regions in tiles that
+/// the snapshots do not share are compared.
 [[nodiscard]] std::vector<std::size_t> differingRegions(const ZMapSnapshot& a, const ZMapSnapshot& b,
                                                         const RegionGrid& grid);
 

@@ -13,11 +13,11 @@ namespace proveout {
 
 namespace {
 
-/// More than this many checkpoints make neither seeking better nor thinning cheaper.
+/// More checkpoints than this make neither seeking better nor thinning cheaper.
 constexpr std::size_t kMostCheckpoints = 2000;
-/// Packing makes room for some more, so that not every checkpoint asks for it.
+/// Packing frees some more memory than needed, so that not every checkpoint causes it.
 constexpr double kFilledAfterPacking = 0.97;
-/// Packing may take this part of the time that is spent on cutting, and a wink of an eye.
+/// Packing may take this part of the time spent on cutting, plus a short fixed time.
 constexpr double kPackShare = 0.25;
 constexpr double kFreePackSeconds = 0.02;
 
@@ -46,7 +46,7 @@ void Checkpoints::add(const Checkpoint& checkpoint) {
     fit();
 }
 
-/// The tiles of a checkpoint that comes to stand at `index`; those of its neighbours are shared.
+/// The tiles of a checkpoint to be inserted at `index`; those of its neighbours are shared.
 Checkpoints::Tiles Checkpoints::keep(const ZMapSnapshot& zmap, std::size_t index) const {
     const Tiles* before = index > 0 ? &m_kept[index - 1].tiles : nullptr;
     const Tiles* after = index < m_kept.size() ? &m_kept[index].tiles : nullptr;
@@ -92,7 +92,7 @@ void Checkpoints::recount(std::size_t index) {
         return;
     Kept& kept = m_kept[index];
     m_bytes -= kept.bytes;
-    // The array of pointers is shared by chunks; counting it whole errs on the safe side.
+    // The array of pointers is shared by chunks; counting it fully errs on the safe side.
     kept.bytes = kept.tiles.size() * sizeof(std::shared_ptr<KeptTile>);
     for (std::size_t tile = 0; tile < kept.tiles.size(); ++tile) {
         if (index == 0 || m_kept[index - 1].tiles[tile] != kept.tiles[tile])
@@ -120,8 +120,8 @@ void Checkpoints::pack() {
     }
 }
 
-/// Packs tiles of one checkpoint that neither the one before nor the newest has: the latter are likely to be
-/// those of the map, so that nothing would be won. Tells how many.
+/// Packs tiles of one checkpoint that neither the checkpoint before nor the newest one has: tiles of the
+/// newest are likely to be in use by the map, so that packing them would save nothing. Returns how many.
 std::size_t Checkpoints::packOldest(std::size_t index, std::size_t wanted) {
     const Tiles& tiles = m_kept[index].tiles;
     const Tiles& newest = m_kept.back().tiles;

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// A moment from which the simulation can go on.
+/// A snapshot from which the simulation can continue.
 struct Checkpoint {
     std::size_t block = 0; ///< blocks executed
     ZMapSnapshot zmap;
@@ -19,30 +19,31 @@ struct Checkpoint {
     double cutSeconds = 0; ///< time spent cutting since the uncut stock
 };
 
-/// The checkpoints of one run, by block. Tiles shared by neighbours count once. Where they outgrow the budget
-/// the oldest tiles are packed, as far as that takes little beside the cutting; where that is not enough, the
-/// checkpoint goes whose neighbours are closest in cutting time, the older one first, so that replays stay as
-/// short as the memory allows. Owned by one thread.
+/// The checkpoints of one run, by block. Tiles shared by neighbours count once. If they exceed the budget,
+/// the oldest tiles are packed, as long as that takes little time compared with the cutting; if that is not
+/// enough, the checkpoint whose neighbours are closest in cutting time is removed, the older one first, so
+/// that replays stay as short as the memory allows. Owned by one thread.
 class Checkpoints {
 public:
-    /// Forgets all; `first` (block 0) is kept for ever.
+    /// Discards all checkpoints; `first` (block 0) is kept permanently.
     void restart(const Checkpoint& first);
-    /// Takes a checkpoint, or leaves the one that exists for its block.
+    /// Adds a checkpoint, unless there is one for its block already.
     void add(const Checkpoint& checkpoint);
-    /// Forgets checkpoints behind `block`.
+    /// Discards checkpoints after `block`.
     void truncate(std::size_t block);
     void setBudget(std::size_t bytes);
-    /// False where the budget is 0: then a moment is not worth its snapshot, after which tiles are copied.
+    /// False if the budget is 0: then a checkpoint is not worth its snapshot, because tiles are copied after
+    /// a snapshot.
     [[nodiscard]] bool wanted() const { return m_budget > 0; }
 
     /// The newest checkpoint at or before `block`; packed tiles are unpacked for it.
     [[nodiscard]] Checkpoint before(std::size_t block) const;
-    /// What before() has, without its z-map.
+    /// The values of before(), without its z-map.
     [[nodiscard]] std::size_t blockBefore(std::size_t block) const { return keptBefore(block).block; }
     [[nodiscard]] double cutSecondsBefore(std::size_t block) const { return keptBefore(block).cutSeconds; }
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] std::size_t size() const { return m_kept.size(); }
-    [[nodiscard]] std::size_t packedTiles() const { return m_packedTiles; } ///< so far
+    [[nodiscard]] std::size_t packedTiles() const { return m_packedTiles; } ///< since the start of the run
 
     static constexpr std::size_t kDefaultBudget = 1'000'000'000;
 
@@ -53,7 +54,7 @@ private:
         Tiles tiles;
         double removedMm3 = 0;
         double cutSeconds = 0;
-        std::size_t bytes = 0; ///< of the tiles that the checkpoint before does not share
+        std::size_t bytes = 0; ///< of the tiles that it does not share with the checkpoint before
     };
 
     [[nodiscard]] const Kept& keptBefore(std::size_t block) const;
@@ -66,7 +67,7 @@ private:
 
     StockBox m_stock;
     Grid m_grid;
-    std::vector<Kept> m_kept; ///< ascending blocks
+    std::vector<Kept> m_kept; ///< by ascending block
     std::size_t m_bytes = 0;
     std::size_t m_budget = kDefaultBudget;
     double m_packSeconds = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What cutting finds. Faults with a tool whose sizes are not confirmed have rows of their own, as warnings.
+// Findings of cutting. Faults with a tool whose sizes are not confirmed have rows of their own, as warnings.
 #pragma once
 
 #include <array>

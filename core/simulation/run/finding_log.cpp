@@ -21,7 +21,7 @@ namespace proveout {
 namespace {
 
 /// The row of a kind of finding, and the row used instead while the sizes of the tool are not confirmed: its
-/// sentence has the tool number as well. Null for kinds that are not faults.
+/// sentence also has the tool number. Null for kinds that are not faults.
 struct KindRows {
     const FindingRow* confirmed;
     const FindingRow* unconfirmed;

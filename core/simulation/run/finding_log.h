@@ -17,31 +17,32 @@ namespace proveout {
 
 enum class FindingKind : std::uint8_t {
     rapidCuts,         ///< a rapid removed material; value: depth, mm
-    depthBeyondFlutes, ///< more height removed at once than the flutes are long; value: depth, mm
+    depthBeyondFlutes, ///< more height removed at once than the length of the flutes; value: depth, mm
     rapidUnchecked,    ///< a rapid from an unknown position ends in the stock; value: depth below its top, mm
-    rapidAtUnknownHeight, ///< a rapid passes over the stock, and nobody knows how high; no value
+    rapidAtUnknownHeight, ///< a rapid passes over the stock at an unknown height; no value
     neckInStock,          ///< the neck of a cutter went through material above its head; value: height, mm
-    overhangLost, ///< the z-map has lost what stays above a head; value: mm³, and the place of the highest
+    overhangLost, ///< the z-map has lost material that remains above a head; value: mm³, and the place of the
+                  ///< highest
 };
 
-/// What the simulation found, block by block. Lines are asked from the program when the sentences are made,
-/// because an edit moves lines without changing a block. Owned by one thread.
+/// The findings of the simulation, block by block. Line numbers are read from the program when the sentences
+/// are made, because an edit moves lines without changing a block. Owned by one thread.
 class FindingLog {
 public:
-    /// Blocks come in ascending order; a repeated kind of one block keeps the larger value. `unconfirmed`:
-    /// the sizes of the tool are not confirmed, so that the finding is no fault.
+    /// Add blocks in ascending order; if a block has a kind repeatedly, the larger value is kept.
+    /// `unconfirmed`: the sizes of the tool are not confirmed, so that the finding is not a fault.
     void add(std::size_t block, FindingKind kind, double value, bool unconfirmed = false);
-    /// The same of a kind that names a place; one kind does.
+    /// The same for a kind that has a place; there is one such kind.
     void add(std::size_t block, FindingKind kind, double value, bool unconfirmed, const Vec3& place);
-    /// Whether there is anything about block `block`.
+    /// Whether there is a finding for block `block`.
     [[nodiscard]] bool foundAt(std::size_t block) const;
-    /// Forgets everything about blocks from `block` on.
+    /// Discards everything about blocks from `block` on.
     void truncate(std::size_t block);
-    /// First what is known before any block, about the tools (each missing or unconfirmed one once); then
-    /// what was found, at most one message of a kind per line (two where one is with an unconfirmed tool); no
-    /// more in all than BoundedDiagnostics holds, and a last one tells how many more there are, as severe as
-    /// the worst of them. `file` is left empty. Takes the same time however many were found, because every
-    /// frame asks.
+    /// First the findings known before any block, about the tools (each missing or unconfirmed one once);
+    /// then those of the blocks, at most one message of a kind per line (two if one is with an unconfirmed
+    /// tool). No more than BoundedDiagnostics holds; a last message gives the number of further ones and is
+    /// as severe as the worst of them. `file` is empty. Takes the same time for any number of findings,
+    /// because every frame calls it.
     [[nodiscard]] Diagnostics diagnostics(const Program& program, const ToolChoice& tools) const;
 
 private:
@@ -61,8 +62,8 @@ private:
     }
 
     std::vector<Finding> m_findings;
-    std::map<std::uint32_t, Vec3> m_places; ///< by block, of the kind that has them
-    /// Of m_findings: with confirmed and with unconfirmed tools, by kind.
+    std::map<std::uint32_t, Vec3> m_places; ///< by block, for the kind that has places
+    /// Counts of m_findings by kind: with confirmed and with unconfirmed tools.
     std::array<std::array<std::size_t, kKinds>, 2> m_counts{};
 };
 

@@ -74,7 +74,7 @@ std::shared_ptr<const Program> withAssumedTool(std::shared_ptr<const Program> pr
     InterpretOptions assuming = options;
     assuming.startTool = *tool;
     auto assumed = again(assuming);
-    // What a program reads of its tool may lead it elsewhere.
+    // Values that a program reads from its tool may change its flow.
     return toolToInterpretWith(*assumed, tools) == tool ? assumed : program;
 }
 

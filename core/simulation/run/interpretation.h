@@ -12,44 +12,44 @@
 
 namespace proveout {
 
-/// What a control knows of the cutters of a table: their diameters. Their lengths are taken to be
+/// What a control knows about the cutters of a table: their diameters. Their lengths are assumed to be
 /// compensated, so that programs position the tip.
 [[nodiscard]] ToolOffsets toolOffsets(const ToolTable& tools);
 
-/// What the motions of a program may take: half of the memory that a job may have, because they take as much
-/// again while they grow. Rounded, because the memory that is free changes all the time.
+/// The memory that the motions of a program may use: half of what a job may have, because they need as much
+/// again while they grow. Rounded, because the amount of free memory changes all the time.
 [[nodiscard]] std::uint64_t programBytesThatFit();
 
-/// Sets what eachControlField() names.
+/// Sets the fields that eachControlField() visits.
 void setControl(const Setup& setup, InterpretOptions& options);
 
-/// How a program is interpreted on a set-up, whose stock its probing motions meet. `file` is where it lies,
-/// and names it in messages; its subprograms are looked for beside it. Empty where it lies nowhere yet.
-/// Its limits are those of the memory.
+/// The options for interpreting a program with a setup, whose stock its probing motions touch. `file` is the
+/// location of the program, and names it in messages; subprograms are searched beside it. Empty if the
+/// program has no file yet. The memory limits apply.
 [[nodiscard]] InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file);
 
-/// The same for looking once more at what `program` does, which was interpreted on that set-up: with the tool
-/// that is assumed to be in the spindle, where it was interpreted so.
+/// The same for interpreting `program` again, which was interpreted with that setup: with the tool assumed to
+/// be in the spindle if it was interpreted that way.
 [[nodiscard]] InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file,
                                                 const Program& program);
 
-/// The tool that is assumed to be in the spindle (assumedTool()) where `program` has asked the control for
-/// the sizes of a tool: without them G41 does not compensate.
+/// The tool assumed to be in the spindle (assumedTool()) if `program` has read the sizes of a tool from the
+/// control: without them G41 does not compensate.
 [[nodiscard]] std::optional<int> toolToInterpretWith(const Program& program, const ToolTable& tools);
 
 using InterpretAgain = std::function<std::shared_ptr<const Program>(const InterpretOptions&)>;
-/// `program` was interpreted by `options` on a set-up that does not say which tool is in the spindle, and
-/// is given back, unless it has to be interpreted `again` with the assumed one.
+/// `program` was interpreted by `options` with a setup that does not say which tool is in the spindle. It is
+/// returned unless it has to be interpreted `again` with the assumed tool.
 [[nodiscard]] std::shared_ptr<const Program> withAssumedTool(std::shared_ptr<const Program> program,
                                                              const InterpretOptions& options,
                                                              const ToolTable& tools,
                                                              const InterpretAgain& again);
 
-/// Interprets a text by options of interpretOptions(), with the assumed tool where it takes one.
+/// Interprets a text by options of interpretOptions(), with the assumed tool if the program needs it.
 [[nodiscard]] std::shared_ptr<const Program> interpretOn(const Setup& setup, const NcText& text,
                                                          const InterpretOptions& options);
 
-/// Whether a program that was interpreted on one set-up is the same on the other.
+/// Whether a program that was interpreted with one setup is the same with the other.
 [[nodiscard]] bool interpretedAlike(const Program& program, const Setup& one, const Setup& other);
 
 } // namespace proveout

@@ -17,19 +17,19 @@ public:
 
     [[nodiscard]] bool isPacked() const { return !m_packed.empty(); }
     [[nodiscard]] std::size_t bytes() const { return isPacked() ? m_packed.size() : sizeof(Tile); }
-    /// Whether it stands for this very tile.
+    /// Whether it holds this very tile.
     [[nodiscard]] bool isCopyOf(const std::shared_ptr<const Tile>& tile) const {
         return m_plain == tile || m_shown.lock() == tile;
     }
-    /// From now on it takes less memory, once nobody else holds the plain one.
+    /// Packs the tile, which saves memory once there is no other owner of the plain one.
     void pack();
-    /// The tile; of a packed one the same as before, as long as somebody holds that.
+    /// The tile; a packed one returns the same object as before as long as that is in use.
     [[nodiscard]] std::shared_ptr<const Tile> tile();
 
 private:
-    std::shared_ptr<const Tile> m_plain; ///< null where it is packed
+    std::shared_ptr<const Tile> m_plain; ///< null if it is packed
     std::vector<std::byte> m_packed;
-    std::weak_ptr<const Tile> m_shown; ///< the plain one, of a packed tile
+    std::weak_ptr<const Tile> m_shown; ///< the plain one of a packed tile
 };
 
 } // namespace proveout

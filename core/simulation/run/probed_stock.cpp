@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastSquare = 8;   ///< mm
 constexpr double kMostSquares = 256; ///< along a side
 
-/// Nearer than this counts as touching: the tool cannot stand closer to what it was stopped by.
+/// A smaller distance counts as touching: the tool cannot be closer to the stock that it was stopped by.
 constexpr double kTouch = 1e-3;
 
 double squareSize(const StockBox& stock) {
@@ -128,7 +128,7 @@ std::optional<StockContact> ProbedStock::stockAfter(const Program& program, std:
     const Result<Grid> grid = makeGrid(m_setup->stock, m_setup->spacing);
     const auto limit = static_cast<double>(memoryLimitBytes());
     if (!grid || !checkMemory(m_setup->stock, *grid, limit))
-        return std::nullopt; // the simulation tells why
+        return std::nullopt; // the simulation reports why
     addGroup(program, end);
     return std::optional<StockContact>(
         std::in_place, m_setup->stock,
@@ -166,8 +166,8 @@ ProbeTarget::Answer ProbedStock::contact(const StockContact& stock, const Cutter
     return {Answer::Kind::found, motion.start + (motion.end - motion.start) * *time};
 }
 
-/// A tool that was stopped by the stock stands beside it by a rounding: the way begins as much before its
-/// start as counts for touching.
+/// A tool that was stopped by the stock touches it within rounding, so the path begins before its start by
+/// the distance that counts as touching.
 ProbeTarget::Answer ProbedStock::release(const StockContact& stock, const Cutter& cutter,
                                          const Motion& motion) const {
     const double length = glm::distance(motion.start, motion.end);

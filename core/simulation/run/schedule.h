@@ -8,8 +8,8 @@
 
 namespace proveout {
 
-/// When the dirty regions are decimated (paper §3, step 4): after every s-th executed block that moves. The
-/// schedule is logical: it knows block counts and no clock. Value type.
+/// When the dirty regions are decimated (paper §3, step 4): after every s-th executed motion block. The
+/// schedule is logical: it depends on block counts and not on a clock. Value type.
 class Schedule {
 public:
     explicit Schedule(const DecimationParameters& parameters)
@@ -17,11 +17,11 @@ public:
 
     /// Whether anything is ever decimated with these parameters.
     [[nodiscard]] bool decimates() const { return m_period != 0; }
-    /// Whether what is cut is ever decimated again.
+    /// Whether regions are decimated again after they have been cut.
     [[nodiscard]] bool repeats() const { return m_period > 0; }
     /// Whether the dirty regions are decimated when `block` blocks have been executed.
     [[nodiscard]] bool isMoment(std::size_t block) const { return lastMoment(block) == block; }
-    /// The newest moment at or before `block`; none where nothing is decimated.
+    /// The newest such moment at or before `block`; nothing if nothing is decimated.
     [[nodiscard]] std::optional<std::size_t> lastMoment(std::size_t block) const {
         if (m_period == 0)
             return std::nullopt;

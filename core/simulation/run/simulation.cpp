@@ -43,7 +43,7 @@ Result<std::unique_ptr<Simulation>> Simulation::prepare(std::shared_ptr<const Pr
     state->useParameters(parameters);
     state->base = state->stock.moment();
     state->checkpoints.restart(state->base);
-    // Of what is left beside the map, and no more than a part of it: other programs want to live too.
+    // A quarter of the memory that is left beside the map, so that other programs can run as well.
     const auto quarter = static_cast<std::size_t>(memoryLimitBytes() / 4);
     state->checkpoints.setBudget(std::min(Checkpoints::kDefaultBudget, quarter));
     state->effort.allocateSeconds = watch.seconds();
@@ -94,15 +94,15 @@ void Simulation::noteParameters(const DecimationParameters& parameters) {
     state.behind = true;
     if (state.schedule.decimates())
         return;
-    // Nothing is decimated now, and an edit may outdate the old moment before anything is again.
+    // Nothing is decimated now, and an edit may outdate the old moment before the next decimation.
     state.base = state.checkpoints.before(0);
-    state.settle({}); // no work: it is only told that none is left
+    state.settle({}); // no work: this only records that none is left
 }
 
 std::size_t Simulation::noteProgram(std::shared_ptr<const Program> program) {
     State& state = *m_state;
     const ToolChoice tools(*program, *state.setup);
-    // Another tool at work changes every block, though no block reads differently.
+    // A different tool in the spindle changes every block, though no block reads differently.
     const std::size_t kept =
         tools.assumed() == state.tools.assumed() ? state.program->firstDifference(*program) : 0;
     state.rows.truncate(kept);
@@ -111,7 +111,7 @@ std::size_t Simulation::noteProgram(std::shared_ptr<const Program> program) {
     state.useProgram(std::move(program));
     const std::size_t wanted = std::min(position(), kept);
     if (position() > kept)
-        state.fallBack(kept); // the stock of the old program must not stay
+        state.fallBack(kept); // the stock of the old program must not remain
     return wanted;
 }
 
@@ -134,7 +134,7 @@ SurfaceSnapshot Simulation::decimatedNow(const WorkContext& context) const {
     const DecimationParameters wanted = forExport(m_state->parameters);
     if (canMerge(wanted) || !(wanted == m_state->surface.parameters()))
         return decimatedWhole(zmap(), wanted, context);
-    Surface surface = m_state->surface; // its meshes are those wanted
+    Surface surface = m_state->surface; // its meshes already have the required parameters
     (void)surface.decimateDirty(zmap(), context);
     return surface.snapshot();
 }

@@ -18,11 +18,11 @@ namespace {
 /// Cutting time between two checkpoints. A step backward replays at most this much, and the decimation
 /// period.
 constexpr double kCheckpointSeconds = 0.01;
-/// Cheap blocks are not free for who waits for them all: checkpoints are at most such a part of the program
-/// apart, so that an edit cuts little more than what lies behind it.
+/// Even cheap blocks add up when all of them are executed: checkpoints are at most this fraction of the
+/// program apart, so that an edit cuts little more than what follows it.
 constexpr std::size_t kCheckpointsOfProgram = 64;
 constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which is cut at once anyway
-/// Blocks that are cut at once where nobody looks at them one by one.
+/// Blocks that are cut at once when they are not shown one by one.
 constexpr std::size_t kFirstPortion = 16;
 
 } // namespace
@@ -202,7 +202,8 @@ bool Simulation::State::replay(StockRun& run, std::size_t block, const WorkConte
         const StopWatch watch;
         if (!cutMany(run, count, context))
             break;
-        // Portions as long as what lies between two checkpoints: so many blocks share the work of beginning.
+        // Portions take about as long as the time between two checkpoints: that many blocks share the
+        // start-up work.
         if (watch.seconds() < kCheckpointSeconds / 2)
             portion *= 2;
         else if (watch.seconds() > kCheckpointSeconds)
@@ -214,7 +215,7 @@ bool Simulation::State::replay(StockRun& run, std::size_t block, const WorkConte
 
 void Simulation::State::jump(std::size_t block, const WorkContext& context) {
     if (stock.block == rows.size() && checkpoints.wanted())
-        checkpoints.add(stock.moment()); // the way back to the farthest block
+        checkpoints.add(stock.moment()); // the return to the farthest block
     StockRun run;
     std::optional<Checkpoint> newBase;
     const auto moment = schedule.lastMoment(block);
@@ -265,7 +266,7 @@ void Simulation::State::seek(std::size_t block, const WorkContext& context) {
         jump(rows.size(), context.quiet());
     const std::size_t from = stock.block;
     if (from != rows.size())
-        return; // stopped on the way
+        return; // stopped before the end
     while (stock.block < block && !context.stopped()) {
         step(context);
         context.report(static_cast<double>(stock.block - from) / static_cast<double>(block - from));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a simulation is made of, and how it goes from block to block. Only simulation*.cpp include this.
+// The state of a simulation, and how it moves from block to block. Only simulation*.cpp include this.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace proveout {
 
-/// The stock on its way through the program.
+/// The stock at one position in the program.
 struct StockRun {
     ZMap zmap;
     std::size_t block = 0;
@@ -40,18 +40,19 @@ struct Simulation::State {
     DecimationParameters parameters;
     Schedule schedule{parameters};
     ToolChoice tools;
-    Diagnostics stockFindings; ///< what the map cannot hold of the uncut stock
-    Diagnostics setupFindings; ///< what of the setup does not fit the program
+    Diagnostics stockFindings; ///< what the map cannot represent of the uncut stock
+    Diagnostics setupFindings; ///< the parts of the setup that do not fit the program
 
     StockRun stock;
     Surface surface;
-    /// What the decimated regions were made of: they have the heights of this moment.
+    /// The moment from which the decimated regions were made: they have its heights.
     Checkpoint base;
-    /// Regions are still drawn from the z-map that the schedule would have decimated: somebody stopped us.
+    /// Some regions that the schedule would have decimated are still drawn from the z-map, because the work
+    /// was stopped.
     bool behind = false;
     struct UnfinishedRow {
         bool first;          ///< the block had never been executed before
-        BlockStatistics old; ///< else: what its row was
+        BlockStatistics old; ///< otherwise, the previous row of the block
     };
     std::optional<UnfinishedRow> unfinished;
 
@@ -62,17 +63,17 @@ struct Simulation::State {
     FindingLog findings;
     Effort effort;
 
-    /// With the tools of that program, and what is to be said about the setup beside it.
+    /// Sets the program, with its tools, and the findings about the setup for it.
     void useProgram(std::shared_ptr<const Program> wanted);
 
     // --- one block
 
-    /// Nothing where it was stopped: the block counts as not executed.
+    /// Nothing if it was stopped: the block counts as not executed.
     std::optional<CutRecord> cutNext(StockRun& run, FindingLog* log, const WorkContext& context);
-    /// The next `count` blocks at once, which have been executed before, so that what they do is known but
-    /// for the heights; false where it was stopped: none of them counts.
+    /// Cuts the next `count` blocks at once, which have been executed before, so that everything except the
+    /// heights is known; false if it was stopped: none of them counts.
     bool cutMany(StockRun& run, std::size_t count, const WorkContext& context);
-    /// Takes a checkpoint where the last one is long ago, in cutting time or in blocks.
+    /// Adds a checkpoint if the last one is long ago, in cutting time or in blocks.
     void rememberMoment(const StockRun& run);
     /// The box of a slanted motion holds regions that it never touched: only changed heights count.
     void touchChanged(const IndexRect& changed);
@@ -80,27 +81,29 @@ struct Simulation::State {
 
     // --- the surface
 
-    /// Decimates dirty regions by `base`; returns the seconds it took.
+    /// Decimates dirty regions with the heights of `base`; returns the seconds it took.
     double decimate(std::span<const std::size_t> regions, const WorkContext& context);
-    /// The dirty regions without those in `without` (ascending).
+    /// The dirty regions, except those in `without` (ascending).
     [[nodiscard]] std::vector<std::size_t> dirtyRegions(std::span<const std::size_t> without) const;
-    /// The row of the present block tells of the present surface.
+    /// Writes the present surface into the row of the present block.
     void noteSurface();
-    /// Brings the surface to where the schedule has it: dirty are the regions that differ from `base`.
+    /// Brings the surface into the state that the schedule requires: the regions that differ from `base` are
+    /// dirty.
     void settle(const WorkContext& context);
-    /// Leaving a block whose decimation was stopped: its row would tell of a surface that never was.
+    /// Called when leaving a block whose decimation was stopped: its row would describe a surface that never
+    /// existed.
     void abandonUnfinished();
 
     // --- any block
 
-    /// The nearest known moment at or before `block`.
+    /// The nearest known checkpoint at or before `block`.
     [[nodiscard]] Checkpoint nearest(std::size_t block) const;
-    /// Replays up to `block`; false where it was stopped.
+    /// Replays up to `block`; false if it was stopped.
     bool replay(StockRun& run, std::size_t block, const WorkContext& context);
-    /// Goes to a block that has been executed before, and settles the surface there.
+    /// Moves to a block that has been executed before, and settles the surface there.
     void jump(std::size_t block, const WorkContext& context);
-    /// To the nearest known moment at or before `kept`, without any work: nothing may stay of what came
-    /// behind.
+    /// Moves to the nearest known checkpoint at or before `kept`, without any work; everything after it is
+    /// discarded.
     void fallBack(std::size_t kept);
     void seek(std::size_t block, const WorkContext& context);
     void useParameters(const DecimationParameters& wanted);

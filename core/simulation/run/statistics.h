@@ -5,11 +5,11 @@
 
 namespace proveout {
 
-/// Less than this, in mm, is not removed: a motion that ends where a cut ended may find points lower by what
-/// two exact cuts may differ, 1 µm each.
+/// A smaller depth, in mm, does not count as removed: a motion that ends where an earlier cut ended may lower
+/// points by the possible difference of two exact cuts, 1 µm each.
 inline constexpr double kNothingRemoved = 2e-3;
 
-/// What is known of one block that moves, after it was executed: 40 bytes.
+/// The known values of one motion block after it was executed: 40 bytes.
 struct BlockStatistics {
     std::uint32_t facesShown = 0;       ///< triangles of the surface after the block
     std::uint32_t facesFull = 0;        ///< triangles without decimation
@@ -18,15 +18,16 @@ struct BlockStatistics {
     float cutSeconds = 0;
     float decimationSeconds = 0;
     float maxDepth = 0;         ///< largest height removed at a point, mm: the axial depth
-    float radialEngagement = 0; ///< the width that was cut across the path, mm, to one spacing of the grid
-    double removedMm3 = 0;      ///< exactly what the z-map lost
+    float radialEngagement = 0; ///< the width that was cut across the path, mm, to within one spacing of the
+                                ///< grid
+    double removedMm3 = 0;      ///< the exact volume that the z-map lost
 
-    /// Else it went through air.
+    /// If false, the block moved through air.
     [[nodiscard]] bool cuts() const { return double{maxDepth} > kNothingRemoved; }
 };
 static_assert(sizeof(BlockStatistics) == 40);
 
-/// What is known of one frame that was drawn; it stands for the blocks (firstBlock, lastBlock].
+/// The known values of one drawn frame, which covers the blocks (firstBlock, lastBlock].
 struct FrameStatistics {
     std::uint32_t firstBlock = 0;
     std::uint32_t lastBlock = 0;

@@ -10,28 +10,28 @@
 
 namespace proveout {
 
-/// The better picture that is shown while nothing is cut, where there is memory for it. Owned by one thread.
+/// The refined surface that is shown while nothing is cut, if there is memory for it. Owned by one thread.
 class SurfaceAtRest {
 public:
-    /// Makes the picture of a moment. `faces` has the surface of the schedule, which tells what memory this
-    /// one needs. A stopped context leaves it undone.
+    /// Makes the refined surface for a snapshot. `faces` is the number of faces of the scheduled surface,
+    /// from which the memory is estimated. A stopped context leaves it unfinished.
     void follow(ZMapSnapshot now, const DecimationParameters& parameters, std::size_t faces,
                 const WorkContext& context);
-    /// The z-map is another now.
+    /// Call it when the z-map has changed.
     void outdate();
 
     [[nodiscard]] bool isShown() const { return m_isShown; }
-    /// Whether it is neither there nor known not to fit.
+    /// Whether it still has to be made: it does not exist yet and is not known to exceed the memory.
     [[nodiscard]] bool isWanted() const { return m_fits && !m_isShown; }
-    /// Where it is shown.
+    /// Valid while it is shown.
     [[nodiscard]] const SurfaceSnapshot& snapshot() const { return m_surface.snapshot(); }
 
 private:
     RefinedSurface m_surface;
-    std::optional<ZMapSnapshot> m_zmap; ///< that it follows
-    double m_bytes = 0;                 ///< what it takes
+    std::optional<ZMapSnapshot> m_zmap; ///< the z-map that it follows
+    double m_bytes = 0;                 ///< the memory it needs
     bool m_isShown = false;
-    bool m_fits = true; ///< false: there is no memory for it now
+    bool m_fits = true; ///< false: there is not enough memory for it now
 };
 
 } // namespace proveout

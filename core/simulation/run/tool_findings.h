@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tools that a simulation calls.
+// Findings about the tools that a simulation calls.
 #pragma once
 
 #include <array>

@@ -16,15 +16,16 @@ namespace proveout {
 
 namespace {
 
-constexpr double kPointsAcross = 10;       ///< of the smallest cutter
-constexpr double kFewPointsAcross = 5;     ///< below this its cuts lose their form
+constexpr double kPointsAcross = 10;       ///< across the smallest cutter
+constexpr double kFewPointsAcross = 5;     ///< with fewer points than this its cuts lose their shape
 constexpr double kFinestForPicture = 0.01; ///< mm
-constexpr double kFinest = 0.001;          ///< mm; cuts are exact to that
+constexpr double kFinest = 0.001;          ///< mm; the accuracy of cuts
 constexpr double kPointsOfCore = 1e6;
 constexpr double kLeastPoints = 1e4;
-constexpr double kNextStep = 1.001; ///< rounded up to two digits
+constexpr double kNextStep = 1.001; ///< the step to the next value of two digits, which is rounded up
 
-/// Rounded to two digits, so that people can read and repeat it. `slack` keeps 0.6 from becoming 0.59.
+/// Rounded to two digits, so that the number is easy to read and to enter again. `slack` keeps 0.6 from
+/// becoming 0.59.
 double twoDigits(double spacing, bool up) {
     constexpr double kSlack = 1e-9;
     const double scale = std::pow(10.0, 1 - std::floor(std::log10(spacing)));
@@ -32,14 +33,14 @@ double twoDigits(double spacing, bool up) {
     return (up ? std::ceil(steps - kSlack) : std::floor(steps + kSlack)) / scale;
 }
 
-/// That of a grid of so many points: (width / h + 1) (depth / h + 1) = points.
+/// The spacing of a grid with this many points: (width / h + 1) (depth / h + 1) = points.
 double spacingOf(const StockBox& stock, double points) {
     const double sides = stock.width + stock.depth;
     return (sides + std::sqrt(sides * sides + 4 * (points - 1) * stock.width * stock.depth)) /
            (2 * (points - 1));
 }
 
-/// A run of motions at feed.
+/// Whether a run of motions moves at feed.
 bool cuts(const Program& program, const Program::ToolRun& run) {
     for (std::size_t index = run.first; index < run.last; ++index) {
         if (program.motion(index).kind != MotionKind::rapid)
@@ -87,14 +88,14 @@ double automaticSpacing(const StockBox& stock, const std::optional<CutterInUse>&
                         const GridLimits& limits) {
     const double shorter = std::min(stock.width, stock.depth);
     if (!(shorter > 0) || !std::isfinite(stock.width + stock.depth))
-        return Setup().spacing; // makeGrid() says what is wrong
+        return Setup().spacing; // makeGrid() reports the error
     double spacing = std::max(spacingOf(stock, limits.fewest), kFinestForPicture);
     if (smallest)
         spacing = std::min(spacing, smallest->diameter / kPointsAcross);
     spacing = twoDigits(std::max(spacing, kFinest), false);
     if (const double least = spacingOf(stock, limits.most); spacing < least)
         spacing = twoDigits(least, true);
-    while (gridPoints(stock, spacing) > limits.most) // makeGrid() rounds, which counts on a narrow stock
+    while (gridPoints(stock, spacing) > limits.most) // makeGrid() rounds, which matters on a narrow stock
         spacing = twoDigits(spacing * kNextStep, true);
     return std::min(spacing, shorter);
 }

@@ -9,21 +9,21 @@
 
 namespace proveout {
 
-/// How fast the machine is that runs the program. The defaults are those of no machine in particular: a
-/// vertical machining centre of middle size. Value type; mm, seconds.
+/// The speed of the machine that runs the program. The defaults describe a typical vertical machining centre
+/// of middle size. Value type; mm, seconds.
 struct Machine {
-    double rapidXY = 20000; ///< mm/min, of X and of Y alone: a slanted rapid is faster than each
+    double rapidXY = 20000; ///< mm/min, of X and of Y separately: a slanted rapid is faster than each
     double rapidZ = 15000;
     double largestFeed = 10000;   ///< mm/min along the path
-    double accelerationXY = 2000; ///< mm/s², of X and of Y alone
+    double accelerationXY = 2000; ///< mm/s², of X and of Y separately
     double accelerationZ = 1500;
-    double cornerDeviation = 0.02; ///< mm that a corner may be rounded by; 0: stop at each corner
-    double toolChangeSeconds = 6;  ///< from chip to chip
+    double cornerDeviation = 0.02; ///< mm by which a corner may be rounded; 0: stop at each corner
+    double toolChangeSeconds = 6;  ///< chip to chip
 
     friend bool operator==(const Machine&, const Machine&) = default;
 };
 
-/// Names every field once; see field.h.
+/// Visits every field once; see field.h.
 template<ParametersOf<Machine> Params, class Visitor>
 void describe(Params& machine, Visitor&& visit) {
     visit(machine.rapidXY, Field{.key = "rapidXY",
@@ -85,8 +85,8 @@ void describe(Params& machine, Visitor&& visit) {
                                            .step = 0.5});
 }
 
-/// The machine as `key=value,…` says, with the keys of describe(); what is not named stays. Errors: a key
-/// that there is none of, no number, out of range.
+/// Reads a machine from `key=value,…`, with the keys of describe(); values that are not named stay unchanged.
+/// Errors: an unknown key, not a number, out of range.
 [[nodiscard]] Result<Machine> parseMachine(std::string_view text, Machine machine = {});
 
 } // namespace proveout

@@ -6,7 +6,7 @@
 
 namespace proveout {
 
-/// Refuses parameters out of the ranges that describe() names; the message tells the first.
+/// Refuses parameters outside the ranges that describe() gives; the message names the first.
 [[nodiscard]] Result<void> checkRanges(const DecimationParameters& parameters);
 
 } // namespace proveout

@@ -11,17 +11,17 @@
 
 namespace proveout {
 
-/// What stands on the machine before the program runs. Value type.
+/// What is on the machine before the program runs. Value type.
 struct Setup {
-    StockBox stock;     ///< the box round it
-    StockShape shape;   ///< what of that box there is
-    double spacing = 1; ///< wanted grid spacing, mm; of an automatic grid: the one that was found last
+    StockBox stock;             ///< the box around it
+    StockShape shape;           ///< which part of that box is material
+    double spacing = 1;         ///< requested grid spacing, mm; for an automatic grid: the one computed last
     bool automaticGrid = false; ///< the spacing follows stock and cutters (automatic_grid.h)
     ToolTable tools;
     std::optional<Vec3> start; ///< position of the cutter before the first block, if it is known
     /// The tool in the spindle before the first block, if it is known. 0: none, or T0 of the table.
     std::optional<int> startTool;
-    std::optional<DialectId> dialect; ///< of the program; nothing: by the signs in its text
+    std::optional<DialectId> dialect; ///< of the program; nothing: detected from its text
     bool blockDelete = false;         ///< skip blocks that begin with "/"
     bool compensationTypeB = false;   ///< InterpretOptions
     std::set<int> ignoredM = {};      ///< InterpretOptions

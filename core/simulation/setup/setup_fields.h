@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a setup asks for: one row a parameter, read by the job file, the command line, the panels, undo and
-// the guide's test. Stock shapes and the tool table have tables of their own.
+// The parameters of a setup: one row per parameter, read by the job file, the command line, the panels, undo
+// and the guide's test. Stock shapes and the tool table have their own tables.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace proveout::setup_field {
 
-inline constexpr double kFarthest = 1e7; ///< mm; positions lie within ± that
+inline constexpr double kFarthest = 1e7; ///< mm; positions are within ± this
 
 inline constexpr Field kMinX{.key = "minX",
                              .label = PROVEOUT_TEXT("Core", "Min X"),
@@ -40,7 +40,7 @@ inline constexpr Field kTopZ{.key = "topZ",
                              .maximum = kFarthest,
                              .step = 1};
 
-/// The range is that of a form. Job file and command line leave it to makeGrid(), which knows stock and
+/// The range is for forms. Job file and command line leave the check to makeGrid(), which knows stock and
 /// memory.
 inline constexpr Field kGrid{
     .key = "grid",
@@ -89,7 +89,7 @@ inline constexpr Field kBlockDelete{
     .unit = "",
     .help = PROVEOUT_TEXT("Core", "Skip blocks that start with /, like the switch on the control."),
     .option = "block-delete"};
-/// The second one is Setup::compensationTypeB.
+/// The second choice is Setup::compensationTypeB.
 inline constexpr std::array kCompensationChoices{
     Choice{"a", PROVEOUT_TEXT("Core", "Type A: straight to the path")},
     Choice{"b", PROVEOUT_TEXT("Core", "Type B: round outside corners")},
@@ -128,7 +128,7 @@ struct GridPlace {
 template<class Spacing, class Automatic>
 GridPlace(Spacing&, Automatic&) -> GridPlace<Spacing, Automatic>;
 
-/// Like a pointer to a member.
+/// Used like a pointer to a member.
 struct GridOfSetup {
     template<ParametersOf<Setup> Params>
     constexpr auto operator()(Params& setup) const {
@@ -136,13 +136,13 @@ struct GridOfSetup {
     }
 };
 
-/// Calls `visit(place, field)` for what the map is made of; std::invoke(place, setup) is the value.
+/// Calls `visit(place, field)` for the parameters of the map; std::invoke(place, setup) is the value.
 template<class Visitor>
 void eachGridField(Visitor&& visit) {
     visit(GridOfSetup(), setup_field::kGrid);
 }
 
-/// The same for what is set on the control.
+/// The same for the settings of the control.
 template<class Visitor>
 void eachControlField(Visitor&& visit) {
     visit(&Setup::start, setup_field::kStart);
@@ -153,7 +153,7 @@ void eachControlField(Visitor&& visit) {
     visit(&Setup::ignoredM, setup_field::kIgnoredM);
 }
 
-/// The values themselves, as describe() hands them out.
+/// Visits the values themselves, as describe() does.
 template<ParametersOf<Setup> Params, class Visitor>
 void describeControl(Params& setup, Visitor&& visit) {
     eachControlField([&](auto place, const Field& field) { visit(std::invoke(place, setup), field); });
@@ -164,7 +164,7 @@ void describeGrid(Params& setup, Visitor&& visit) {
     eachGridField([&](auto place, const Field& field) { visit(std::invoke(place, setup), field); });
 }
 
-/// Names every parameter once; see field.h. The grid is a GridPlace.
+/// Visits every parameter once; see field.h. The grid is a GridPlace.
 template<ParametersOf<Setup> Params, class Visitor>
 void describe(Params& setup, Visitor&& visit) {
     // Stock, shape, tools, the two of the grid and six others: a new field does not compile until it is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The setup: its parameters, its machine, and where its stock lies.
+// Findings about the setup: its parameters, its machine, and the position of its stock.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ Box3 boxOf(const StockBox& stock) {
     return box;
 }
 
-/// Of the cutters that the program uses; 0 where it has none.
+/// Of the cutters that the program uses; 0 if it has none.
 double largestRadius(const Program& program, const Setup& setup, const ToolChoice& tools) {
     double radius = 0;
     for (const Program::ToolRun& run : program.toolRuns()) {
@@ -52,7 +52,7 @@ struct Overshoot {
     double size;   ///< of the stock in that direction, mm
 };
 
-/// A path that ends above the stock is on its way, so its upper side does not count.
+/// A path that ends above the stock is normal, so its upper side does not count.
 std::array<Overshoot, 5> overshoots(const Box3& path, const Box3& stock) {
     const Vec3 size = stock.hi - stock.lo;
     return {{{"X-", stock.lo.x - path.lo.x, size.x},
@@ -88,7 +88,7 @@ Diagnostics untouchedStock(const Program& program, const Setup& setup, const Too
     const Box3& path = program.cuttingBounds();
     const double radius = largestRadius(program, setup, tools);
     if (!tools.missing().empty() || path.empty() || radius <= 0 || !reaches(path, boxOf(setup.stock), radius))
-        return {}; // another message says so
+        return {}; // another message reports this
     return {neverCuts(program, setup.stock)};
 }
 

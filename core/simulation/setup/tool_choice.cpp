@@ -20,7 +20,7 @@ bool cutsBefore(const Program& program, std::size_t end) {
     return false;
 }
 
-/// The first motion of the run that misses a cutter; none where all its motions do without.
+/// The first motion of the run that lacks a cutter; nothing if none of its motions needs one.
 std::optional<std::size_t> firstMiss(const Program& program, const Program::ToolRun& run) {
     for (std::size_t index = run.first; index < run.last; ++index) {
         if (run.tool != 0 || program.motion(index).kind != MotionKind::rapid)

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kMostLines = 1'000'000;
 constexpr std::size_t kMostComments = 100'000;
 constexpr std::size_t kMostTools = 1'000;
-constexpr std::size_t kUnitLines = 10'000;   ///< the unit is programmed in the first of them
+constexpr std::size_t kUnitLines = 10'000;   ///< the unit is programmed within the first of them
 constexpr std::size_t kLongestComment = 160; ///< bytes that are shown
 constexpr std::size_t kGap = 4;              ///< lines between two comments about the same tool
 
@@ -31,7 +31,7 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// What a line has that concerns tools. Comments are views of the line.
+/// The contents of a line that concern tools. Comments are views of the line.
 struct ToolWords {
     std::vector<std::string_view> comments;
     std::optional<int> tool; ///< T with a number
@@ -48,7 +48,7 @@ struct ToolWords {
     }
 };
 
-/// Reads the words outside comments by their letters; expressions and names of parameters hold no words.
+/// Reads the words outside comments by their letters; expressions and names of parameters contain no words.
 class LineScanner {
 public:
     LineScanner(std::string_view line, ToolWords& words) : m_line(line), m_words(words) { words.clear(); }
@@ -110,7 +110,7 @@ private:
         const std::string_view digits = m_line.substr(at, end - at);
         m_at = end;
         if (end < m_line.size() && m_line[end] == '.')
-            return; // G20.1 is another code
+            return; // G20.1 is a different code
         if (letter == 'T' && std::ranges::all_of(digits, [](char c) { return c == '0'; }))
             m_words.tool = 0;
         else if (letter == 'T')
@@ -128,7 +128,7 @@ private:
     std::size_t m_at = 0;
 };
 
-/// What comments say of one tool, and where.
+/// What comments state about one tool, and where.
 struct Described {
     ToolComment tool;
     std::uint32_t line = 0;
@@ -143,7 +143,7 @@ std::string shownText(std::string_view comment) {
     return std::string(shortened(comment.substr(first, last - first + 1), kLongestComment));
 }
 
-/// Goes through the lines and finds out which tool each description is of.
+/// Goes through the lines and determines to which tool each description belongs.
 class ProposalSearch {
 public:
     explicit ProposalSearch(bool inch) : m_inch(inch) {}
@@ -152,7 +152,7 @@ public:
         m_inch = words.inch.value_or(m_inch);
         if (words.tool || words.change || words.motion)
             closeDescription();
-        // A comment stands in the same block as its T, before or behind it.
+        // A comment is in the same block as its T, before or after it.
         if (words.tool || words.computedTool)
             select(words);
         if (words.change)
@@ -198,7 +198,7 @@ private:
         m_openLast = line;
     }
 
-    /// The description is whole: it goes to its tool.
+    /// The description is complete: it is assigned to its tool.
     void closeDescription() {
         Described described = std::exchange(m_open, {});
         if (described.line == 0 || !described.tool.isComplete())
@@ -222,7 +222,7 @@ private:
             Described described = *std::exchange(m_pending, std::nullopt);
             describe(m_selected, std::move(described));
         }
-        // A tool that is selected behind the change is for later: what is said now is of the one in the
+        // A tool selected after the change is preselected: a description here belongs to the tool in the
         // spindle.
         if (m_moved || !m_changed || words.change)
             m_current = m_selected;
@@ -243,7 +243,7 @@ private:
         keepForNoTool();
     }
 
-    /// No tool call follows the description: it is of the tool in a program that calls none.
+    /// If no tool call follows the description, it belongs to the tool of a program that calls none.
     void keepForNoTool() {
         if (!m_pending)
             return;
@@ -261,7 +261,7 @@ private:
         describe(number, std::move(described));
     }
 
-    /// The first description of a tool counts; one that names the tool outranks one beside its call.
+    /// The first description of a tool counts; one that names the tool overrides one beside its call.
     void describe(int number, Described described) {
         const auto known = m_byTool.find(number);
         if (known == m_byTool.end()) {
@@ -290,7 +290,7 @@ private:
 
     bool m_inch;
     std::size_t m_comments = 0;
-    Described m_open; ///< comments that may go on; line 0: none
+    Described m_open; ///< comments that may be continued; line 0: none
     std::uint32_t m_openLast = 0;
     std::optional<Described> m_pending; ///< waits for the next tool call
     std::map<int, Described> m_byTool;
@@ -298,13 +298,13 @@ private:
     std::set<std::string> m_cuttersWithoutTool; ///< their specs
     std::set<int> m_called;
     bool m_callsComputed = false;
-    int m_selected = -1;    ///< the last T
-    int m_current = -1;     ///< the tool that a comment here is of
+    int m_selected = -1;    ///< number of the last T
+    int m_current = -1;     ///< the tool that a comment at this place belongs to
     bool m_changed = false; ///< M6 since the last motion
     bool m_moved = false;   ///< since the last T or M6
 };
 
-/// The unit in which the header is to be read, which often stands before G20.
+/// The unit for reading the header, which often comes before G20.
 bool beginsInInch(const NcText& text) {
     ToolWords words;
     const std::size_t lines = std::min(text.lineCount(), kUnitLines);

@@ -96,7 +96,7 @@ int toolOf(const Program& program, std::size_t block) {
     return program.motion(program.blockMotions(block).first).tool;
 }
 
-/// Goes back to the block that cut before: rows between two cuts are looked at once.
+/// Searches back to the previous block that cut: rows between two cuts are read only once.
 bool touchesFirst(const Program& program, std::size_t block, const ExecutedBlocks& executed) {
     const auto removes = [&](std::size_t index) { return executed.rows[index].cuts(); };
     if (block >= executed.rows.size() || !removes(block))

@@ -23,7 +23,7 @@ void CommandQueue::post(SimulationCommand command) {
     const std::scoped_lock lock(m_mutex);
     if (!m_patient || !(is<SeekCommand>(command) || is<StepCommand>(command)))
         m_work.request_stop();
-    // A cancel is about what was asked for before it; work under way still tells of it at its end.
+    // A cancel applies to the commands before it; work in progress still reports it at its end.
     if (!m_working)
         m_cancelled = false;
     if (is<LoadCommand>(command))
@@ -91,7 +91,7 @@ bool CommandQueue::endWork() {
 void CommandQueue::wait() {
     std::unique_lock lock(m_mutex);
     if (awake())
-        return; // a command came after the thread had looked, and perhaps a cancel of it
+        return; // a command came after the thread had checked, and perhaps a cancel of it
     m_busy = false;
     m_cancelled = false;
     m_changed.wait(lock, [this] { return awake(); });

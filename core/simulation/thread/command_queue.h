@@ -13,16 +13,16 @@
 
 namespace proveout {
 
-/// Commands on their way to the simulation thread, and the wish to stop what it is doing. A command replaces
-/// the one before it where it says all that that one said; every command stops the work under way. Any thread
-/// may post; one thread takes.
+/// Commands on their way to the simulation thread, and the request to stop its current work. A command
+/// replaces the previous one if it makes that one unnecessary; every command stops the work in progress. Any
+/// thread may post; one thread takes commands out.
 class CommandQueue {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
     void post(SimulationCommand command);
-    /// Stops the work under way, or that which follows from the commands that were posted before; nothing
-    /// where the thread rests.
+    /// Stops the work in progress, or that which follows from the commands posted before; does nothing if the
+    /// thread is idle.
     void cancel();
     /// Stops the work and ends every wait, now and later.
     void close();
@@ -33,16 +33,17 @@ public:
     /// The next command, if there is one.
     [[nodiscard]] std::optional<SimulationCommand> take();
 
-    /// The token of a work that begins now; it is stopped from the start where a command waits. `patient`
-    /// work is not stopped by seeks and steps: it is what lets a picture appear under a storm of them.
+    /// The stop token of work that begins now; it is stopped from the start if a command is waiting.
+    /// `patient` work is not stopped by seeks and steps, so that a picture can appear even under many of
+    /// them.
     [[nodiscard]] std::stop_token beginWork(bool patient);
-    /// True where the work was cancelled.
+    /// True if the work was cancelled.
     bool endWork();
 
-    /// The thread has nothing left to do: until a command comes.
+    /// Call it when the thread has nothing left to do: waits until a command comes.
     void wait();
     void waitUntil(Time time);
-    /// Until frame `sequence` was shown, or somebody cancels.
+    /// Waits until frame `sequence` was shown, or until a cancel.
     void waitForShown(std::uint64_t sequence);
 
 private:

@@ -36,7 +36,7 @@ std::span<const ConditionVariable> conditionVariables() {
     return kVariables;
 }
 
-/// Reads a text from left to right; the first error ends it.
+/// Parses a text from left to right; the first error ends it.
 class ConditionParser {
 public:
     explicit ConditionParser(std::string_view text) : m_text(text) {}
@@ -94,7 +94,7 @@ private:
     }
 
     void readOne() {
-        // Each `!` negates what follows it; many are counted instead of going as deep.
+        // Each `!` negates what follows it; they are counted instead of recursing.
         bool negated = false;
         for (skipBlanks(); m_text.substr(m_at).starts_with('!'); skipBlanks()) {
             negated = !negated;
@@ -119,7 +119,7 @@ private:
 
     void readComparison() {
         Condition::Step step{Action::compare, {}, readOperand(), {}};
-        // The longer ones first.
+        // Longer operators come first.
         constexpr std::array<std::pair<std::string_view, Comparison>, 6> kComparisons{{
             {"<=", Comparison::lessOrEqual},
             {">=", Comparison::greaterOrEqual},
@@ -149,7 +149,7 @@ private:
             ++m_at;
             return {static_cast<int>(std::distance(kVariables.begin(), variable)), 0};
         }
-        // No "inf" and no "nan": a number begins as one.
+        // "inf" and "nan" are not accepted: a number must begin with a digit or a point.
         const std::size_t sign = rest.front() == '-' || rest.front() == '+' ? 1 : 0;
         const char first = rest.size() > sign ? rest[sign] : ' ';
         double number = 0;
@@ -193,7 +193,7 @@ bool Condition::compare(const Step& step, const ConditionValues& values) {
     case Comparison::equal:
         return left == right;
     case Comparison::notEqual:
-        return left < right || left > right; // false where one is not known
+        return left < right || left > right; // false if one is not known
     }
     return false;
 }

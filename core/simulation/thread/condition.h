@@ -12,23 +12,23 @@
 
 namespace proveout {
 
-/// What a condition asks about, one row a letter.
+/// The variables of a condition, one row per letter.
 struct ConditionVariable {
     char letter;
-    const char* meaning; ///< for people; marked with PROVEOUT_TEXT
+    const char* meaning; ///< for the user interface; marked with PROVEOUT_TEXT
 };
 inline constexpr std::size_t kConditionVariables = 8;
 /// X Y Z F S T N L, in the order of ConditionValues.
 [[nodiscard]] std::span<const ConditionVariable> conditionVariables();
-/// Not a number: not known; no comparison with it holds.
+/// NaN means unknown; no comparison with it holds.
 using ConditionValues = std::array<double, kConditionVariables>;
 
 /// A condition such as `Z < -20 && T == 3`: comparisons (< <= > >= == !=) of letters and numbers, joined by
-/// && || ! and parentheses; && binds closer than ||. Letters of either case. Value type.
+/// && || ! and parentheses; && binds more tightly than ||. Case of letters is ignored. Value type.
 class Condition {
 public:
     /// Errors: one that names the column (1-based, bytes) and what was expected there. Any bytes are safe:
-    /// the text may have kLongest of them, and kDeepest parentheses in each other.
+    /// the text may have at most kLongest of them, and at most kDeepest nested parentheses.
     [[nodiscard]] static Result<Condition> parse(std::string_view text);
     [[nodiscard]] bool holds(const ConditionValues& values) const;
 
@@ -41,10 +41,10 @@ private:
     enum class Action : std::uint8_t { compare, negate, both, either };
     enum class Comparison : std::uint8_t { less, lessOrEqual, greater, greaterOrEqual, equal, notEqual };
     struct Operand {
-        int variable = -1; ///< -1: a number
+        int variable = -1; ///< -1 for a number
         double number = 0;
     };
-    /// One of a sequence in postfix order.
+    /// One step of a sequence in postfix order.
     struct Step {
         Action action;
         Comparison comparison = Comparison::less;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conditions of breakpoints.
+// Findings about conditions of breakpoints.
 #pragma once
 
 #include <array>

@@ -8,18 +8,18 @@ namespace proveout {
 
 namespace {
 
-/// Where so few faces are all that there is, drawing them costs less than asking whether it could be cheaper.
+/// With so few faces in total, drawing them costs less than checking whether it could be cheaper.
 constexpr std::size_t kFewFaces = 2048;
 constexpr std::size_t kLeastWindow = 8;
 constexpr std::size_t kLongestWindow = 64;
-/// A window in this many frames: trials stay below the 99th percentile.
+/// One window per this many frames: trials stay below the 99th percentile.
 constexpr std::size_t kFirstInterval = 100;
 constexpr std::size_t kLongestInterval = 1u << 20;
-/// Of the time played since the last trial.
+/// The share that a trial may cost of the time played since the last trial.
 constexpr double kAffordable = 0.01;
-/// The other way must be this much cheaper to be taken, or the two would alternate for ever.
+/// The other mode must be cheaper by this share to be chosen; otherwise the two would alternate forever.
 constexpr double kMargin = 0.05;
-/// Faces decimated in a second where it was not measured yet: a slow machine.
+/// Faces decimated per second before it is measured: the value of a slow machine.
 constexpr double kAssumedFacesPerSecond = 1e6;
 
 std::size_t windowFrames(int period) {
@@ -61,7 +61,7 @@ bool HoldBack::add(const FrameCost& cost) {
     return m_held != before;
 }
 
-/// Whether the other way comes next.
+/// Returns whether to switch to the other mode.
 bool HoldBack::closeWindow() {
     m_means[m_held ? 1 : 0] = m_window.sum.total() / static_cast<double>(m_window.frames);
     const bool challenger = std::exchange(m_trial, false);
@@ -85,7 +85,7 @@ bool HoldBack::closeWindow() {
     return m_trial;
 }
 
-/// Even if drawing cost nothing but its triangles, decimation would take longer than it saves.
+/// Even if drawing had no cost besides its triangles, decimation would take longer than it saves.
 bool HoldBack::cannotPay() const {
     const FrameCost& sum = m_window.sum;
     if (sum.facesShown == 0)
@@ -94,19 +94,19 @@ bool HoldBack::cannotPay() const {
     return sum.decimationSeconds > secondsPerFace * static_cast<double>(sum.facesFull - sum.facesShown);
 }
 
-/// Whether the present way is clearly cheaper than the other one.
+/// Whether the present mode is clearly cheaper than the other one.
 bool HoldBack::cheaperThan(bool other) const {
     const auto& mine = m_means[m_held ? 1 : 0];
     const auto& others = m_means[other ? 1 : 0];
     return !others || *mine < (1 - kMargin) * *others;
 }
 
-/// Either way there or the way back decimates the whole map once.
+/// Either switching to the other mode or switching back decimates the whole map once.
 bool HoldBack::isTrialDue() const {
     const double mine = m_means[m_held ? 1 : 0].value_or(0);
     const double others = m_means[m_held ? 0 : 1].value_or(mine);
     const double price = m_wholeSeconds + static_cast<double>(m_windowFrames) * std::max(0.0, others - mine);
-    // Drawing everything is compared as soon as it can be paid for; a tiny map that never asks loses little.
+    // Drawing everything is tried as soon as it is affordable; a tiny map that never tries it loses little.
     const std::size_t interval = m_held || m_means[1] ? m_interval : m_windowFrames;
     return m_framesSince >= interval && price <= kAffordable * m_secondsSince;
 }

@@ -7,11 +7,11 @@
 
 namespace proveout {
 
-/// What one frame of playback has cost, and what it showed. Value type.
+/// The cost of one frame of playback, and what it showed. Value type.
 struct FrameCost {
-    double decimationSeconds = 0; ///< of the blocks that the frame stands for
+    double decimationSeconds = 0; ///< for the blocks that the frame covers
     double uploadSeconds = 0;
-    double drawSeconds = 0; ///< 0: nobody draws
+    double drawSeconds = 0; ///< 0: nothing is drawn
     std::size_t facesShown = 0;
     std::size_t facesFull = 0;
     std::size_t regionsDecimated = 0; ///< in those seconds
@@ -21,19 +21,21 @@ struct FrameCost {
 };
 
 /// Decides whether playback decimates: not while that costs more than it saves (tiny maps, fast graphics).
-/// From time to time the other way is tried for one window of frames, and taken where it is clearly cheaper;
-/// the interval doubles while nothing changes, and a trial waits until its price is a hundredth of the time
-/// played since the last one. Knows figures and counts of frames, no clock. One thread.
+/// From time to time the other mode is tried for one window of frames, and adopted if it is clearly cheaper;
+/// the interval doubles while nothing changes, and a trial waits until its cost is a hundredth of the time
+/// played since the last one. It depends on measured figures and counts of frames, not on a clock. One
+/// thread.
 class HoldBack {
 public:
-    /// `period` of the schedule: a window of frames covers it. A map of few faces begins held back.
+    /// `period` of the schedule: a window of frames covers it. A map with few faces begins without
+    /// decimation.
     HoldBack(int period, std::size_t facesFull);
 
     [[nodiscard]] bool held() const { return m_held; }
-    /// Takes a frame that was made as held() says; true where held() is another one afterwards.
+    /// Adds a frame that was made in the mode of held(); true if held() has changed afterwards.
     bool add(const FrameCost& cost);
-    /// Mean seconds of a frame (decimation, upload, drawing) one way, as last measured, or as bounded from
-    /// above where decimation was given up without a trial; none where not known.
+    /// Mean seconds of a frame (decimation, upload, drawing) in one mode, as last measured, or an upper bound
+    /// if decimation was given up without a trial; nothing if unknown.
     [[nodiscard]] std::optional<double> frameSeconds(bool held) const { return m_means[held ? 1 : 0]; }
 
 private:
@@ -52,13 +54,13 @@ private:
     std::size_t m_windowFrames;
     bool m_held;
     bool m_trial = false;
-    bool m_turning = true; ///< the first frame after a turn pays for it, and stands for neither way
+    bool m_turning = true; ///< the first frame after a switch pays for it, and counts for neither mode
     Window m_window;
-    std::array<std::optional<double>, 2> m_means; ///< decimating, held back
-    double m_secondsPerRegion = 0;                ///< of decimation, as last measured; 0: not yet
+    std::array<std::optional<double>, 2> m_means; ///< with and without decimation
+    double m_secondsPerRegion = 0;                ///< of decimation, as last measured; 0: not measured yet
     double m_wholeSeconds = 0;                    ///< of decimating every region, estimated
     std::size_t m_interval;                       ///< frames between trials
-    std::size_t m_framesSince = 0;                ///< since the last trial or turn
+    std::size_t m_framesSince = 0;                ///< since the last trial or switch
     double m_secondsSince = 0;
 };
 

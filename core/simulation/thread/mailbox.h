@@ -7,7 +7,7 @@
 
 namespace proveout {
 
-/// A place for one value that crosses threads; putting a value replaces the one that nobody took.
+/// Passes one value between threads; putting a value replaces one that was not taken yet.
 template<class T>
 class Mailbox {
 public:

@@ -9,9 +9,9 @@ namespace proveout {
 namespace {
 
 constexpr double kFarSeconds = 60;
-/// The slices in which playback works are shorter, so that it keeps its rate in the long run.
+/// Longer than the slices in which playback works, so that it keeps its rate in the long run.
 constexpr double kOwedSeconds = 0.05;
-/// Time lost is told of windows of this length.
+/// Lost time is measured in windows of this length.
 constexpr double kWindowSeconds = 0.7;
 
 double secondsBetween(PlaybackClock::Time from, PlaybackClock::Time to) {
@@ -36,7 +36,7 @@ double PlaybackClock::dueAt(Time now) const {
 }
 
 void PlaybackClock::start(std::size_t block, double unitsPerSecond, Time now) {
-    m_rate = unitsPerSecond > 0 ? unitsPerSecond : 0; // not a number counts as standing still
+    m_rate = unitsPerSecond > 0 ? unitsPerSecond : 0; // not a number counts as zero
     m_windowStart = now;
     m_lost = 0;
     m_keptPart = 1;

@@ -9,31 +9,32 @@
 
 namespace proveout {
 
-/// Where each block ends on the way that playback takes: millimetres of path, seconds of the machine. [n]:
-/// after n blocks; rising, at least one value.
+/// The position of the end of each block on the scale of playback: millimetres of path or seconds of the
+/// machine. [n]: after n blocks; rising, at least one value.
 using PlaybackMeasure = std::vector<double>;
 
-/// How far playback should be by the wall clock. It owes nothing for time lost: a machine that cannot keep up
-/// plays more slowly, it does not race afterwards. Value type.
+/// How far playback should be according to the wall clock. Lost time is not made up for: a machine that
+/// cannot keep up plays more slowly, and does not speed up afterwards. Value type.
 class PlaybackClock {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Playback goes by blocks (null), or by a measure. Blocks behind its end take as long as the mean of the
-    /// others: a program that is being edited is measured a moment later.
+    /// Playback advances by blocks (null), or by a measure. Blocks after the end of the measure take as long
+    /// as the mean of the others: a program that is being edited is measured a moment later.
     void setMeasure(std::shared_ptr<const PlaybackMeasure> measure) { m_measure = std::move(measure); }
-    /// Playback goes on from `block` at `now`; `unitsPerSecond`, blocks or those of the measure, may be
+    /// Playback continues from `block` at `now`; `unitsPerSecond`, in blocks or those of the measure, may be
     /// infinite.
     void start(std::size_t block, double unitsPerSecond, Time now);
-    /// Whether the block behind `block` is to be executed at `now`.
+    /// Whether the block after `block` is to be executed at `now`.
     [[nodiscard]] bool isDue(std::size_t block, Time now) const;
-    /// Block `block` was reached at `now`. Where that is late by more than the wink of an eye, playback goes
-    /// on from there: what was lost is not caught up.
+    /// Block `block` was reached at `now`. If that is noticeably late, playback continues from there: lost
+    /// time is not made up for.
     void reached(std::size_t block, Time now);
     /// When the block after `block` is due; at most a minute ahead of `now`.
     [[nodiscard]] Time next(std::size_t block, Time now) const;
     [[nodiscard]] double unitsPerSecond() const { return m_rate; }
-    /// Which part of the speed was kept in the last second or so, in (0, 1]: 1 where nothing was lost.
+    /// The fraction of the speed that was achieved in about the last second, in (0, 1]: 1 if no time was
+    /// lost.
     [[nodiscard]] double keptPart() const { return m_keptPart; }
 
 private:

@@ -6,7 +6,7 @@
 
 namespace proveout {
 
-/// Tells of long work only, not too often, and of its end. The listener must outlive it; one thread.
+/// Reports progress of long work only, not too often, and its end. The listener must outlive it; one thread.
 class ProgressReporter {
 public:
     explicit ProgressReporter(const std::function<void(double)>& listener) : m_listener(listener) {}
@@ -27,7 +27,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    /// Shorter work is not worth a progress bar.
+    /// Shorter work needs no progress bar.
     static constexpr std::chrono::milliseconds kQuietWork{50};
     static constexpr std::chrono::milliseconds kBetweenReports{30};
 

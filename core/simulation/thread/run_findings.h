@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What ends a run of the simulation.
+// Findings that end a run of the simulation.
 #pragma once
 
 #include <array>

@@ -21,9 +21,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Playback looks for commands at least this often.
+/// Playback checks for commands at least this often.
 constexpr std::chrono::milliseconds kSlice{10};
-/// Whoever steps from block to block does not rest.
+/// While the user steps from block to block, the simulation does not count as idle.
 constexpr std::chrono::milliseconds kBeforeRefining{150};
 
 template<class... Handlers>
@@ -46,24 +46,25 @@ struct SimulationThread::State {
     CommandQueue queue;
     Mailbox<FramePtr> mailbox;
 
-    // From here on: the simulation thread alone.
+    // The members below are used by the simulation thread only.
     std::unique_ptr<Simulation> simulation;
-    std::optional<std::size_t> goal; ///< a block that was asked for and is not reached yet
+    std::optional<std::size_t> goal; ///< a requested block that has not been reached yet
     std::uint64_t seekStarted = 0;   ///< ticket of the newest seek or step
     std::uint64_t seekOver = 0;
     PlaybackClock clock;
     bool playing = false;
     bool everyBlock = false;
     Breakpoints breakpoints;
-    std::optional<std::size_t> playedFrom; ///< nothing stops the run before this block: there it stood
+    std::optional<std::size_t> playedFrom; ///< breakpoints before this block are ignored, because playback
+                                           ///< started here
     std::shared_ptr<const BreakpointHit> stoppedBy;
-    bool resting = false; ///< cancelled: nothing is taken up again before the next command
+    bool resting = false; ///< cancelled: nothing is resumed before the next command
     Clock::time_point restsFrom;
-    bool patient = false; ///< the work before was cut short
+    bool patient = false; ///< whether the previous work was interrupted
     std::uint64_t generation = 0;
     std::uint64_t sequence = 0;
 
-    std::jthread thread; ///< last, so that it ends before what it uses
+    std::jthread thread; ///< last, so that it ends before the members it uses
 
     void run() {
         while (!queue.closed()) {
@@ -114,7 +115,7 @@ struct SimulationThread::State {
             listener.frameReady();
     }
 
-    // --- commands: they note what is wanted and return at once; work() follows when no command waits
+    // --- commands: they note the request and return at once; work() follows when no command is waiting
 
     void execute(SimulationCommand command) {
         resting = false;
@@ -129,7 +130,7 @@ struct SimulationThread::State {
     }
 
     void carryOut(LoadCommand&& load) {
-        simulation.reset(); // its memory is needed for the next
+        simulation.reset(); // its memory is needed for the next one
         goal.reset();
         playing = false;
         stoppedBy.reset();
@@ -141,7 +142,7 @@ struct SimulationThread::State {
             return;
         }
         simulation = std::move(*prepared);
-        // An uncut stock is decimated in no time, and drawing all its points may take longer.
+        // An uncut stock is decimated very quickly, while drawing all its points may take longer.
         if (simulation->settled())
             publish();
     }
@@ -158,7 +159,7 @@ struct SimulationThread::State {
 
     void carryOut(ParametersCommand&& command) {
         simulation->noteParameters(command.parameters);
-        // Where there is nothing to decimate there is no work, and yet another picture.
+        // With nothing to decimate there is no work, but the picture has changed.
         if (simulation->settled())
             publish();
     }
@@ -201,7 +202,7 @@ struct SimulationThread::State {
                                         from); // the sum itself might overflow
     }
 
-    // --- long work: any command stops it, and it is taken up again
+    // --- long work: any command stops it, and it is resumed afterwards
 
     void work() {
         bool cut = false;
@@ -223,7 +224,7 @@ struct SimulationThread::State {
         publish();
     }
 
-    /// Nothing is asked for: the better picture, which any command stops.
+    /// Nothing is requested: makes the refined surface, which any command stops.
     void rest() {
         queue.waitUntil(restsFrom);
         const WorkContext context{queue.beginWork(false), {}};
@@ -242,7 +243,7 @@ struct SimulationThread::State {
         resting = true;
     }
 
-    /// The next block, unless a breakpoint stops the run before it or behind it.
+    /// Executes the next block, unless a breakpoint stops the run before or after it.
     void playBlock(const WorkContext& context) {
         const std::size_t block = simulation->position();
         if (playedFrom != block)
@@ -251,7 +252,7 @@ struct SimulationThread::State {
             return;
         simulation->step(context);
         if (simulation->position() == block)
-            return; // somebody stopped it
+            return; // it was stopped
         playedFrom.reset();
         if (!breakpoints.empty())
             stopWhere(breakpoints.after(simulation->program(), block,

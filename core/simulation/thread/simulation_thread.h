@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The worker thread of the simulation: commands in as values, immutable frames out.
+// The worker thread of the simulation: takes commands as values and publishes immutable frames.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace proveout {
 
-/// A new program and setup; the position goes to 0. Older frames are stale from now on.
+/// A new program and setup; the position becomes 0. Older frames are stale from now on.
 struct LoadCommand {
     std::shared_ptr<const Program> program;
     std::shared_ptr<const Setup> setup;
@@ -32,43 +32,44 @@ struct ParametersCommand {
 };
 struct PlayCommand {
     double unitsPerSecond = 50; ///< infinity: as fast as possible
-    bool everyBlock = false;    ///< paper mode: one frame a block, the next block after frameShown()
-    std::shared_ptr<const PlaybackMeasure> measure = {}; ///< what the units are; null: blocks
+    bool everyBlock = false;    ///< paper mode: one frame per block, the next block after frameShown()
+    std::shared_ptr<const PlaybackMeasure> measure = {}; ///< the scale of the units; null: blocks
 };
-/// From now on playback stops at these. A load forgets them.
+/// Sets the breakpoints of playback. A load discards them.
 struct BreakpointsCommand {
     std::vector<Breakpoint> breakpoints;
 };
-/// Simulation::setCheckpointBudget. A load forgets it.
+/// Sets Simulation::setCheckpointBudget. A load discards it.
 struct BudgetCommand {
     std::size_t bytes = 0;
 };
 struct PauseCommand {};
 struct SeekCommand {
     std::size_t block = 0;
-    std::uint64_t ticket = 0; ///< rising; Frame::seekOver tells of it
+    std::uint64_t ticket = 0; ///< rising; reported back in Frame::seekOver
 };
-/// Relative to where the simulation stands or is on its way to when the command is executed, so that quick
-/// key presses add up.
+/// Relative to the current position, or to the target of a seek in progress when the command is executed, so
+/// that quick key presses add up.
 struct StepCommand {
     std::ptrdiff_t blocks = 1;
-    std::uint64_t ticket = 0; ///< as that of a seek
+    std::uint64_t ticket = 0; ///< like that of a seek
 };
 using SimulationCommand = std::variant<LoadCommand, EditCommand, ParametersCommand, PlayCommand, PauseCommand,
                                        SeekCommand, StepCommand, BreakpointsCommand, BudgetCommand>;
 
-/// What the thread tells; called on the simulation thread, must return at once (post to your own event loop).
+/// Callbacks of the thread; called on the simulation thread, must return at once (post to your own event
+/// loop).
 struct SimulationListener {
-    std::function<void()> frameReady;     ///< a newer frame lies in the mailbox
+    std::function<void()> frameReady;     ///< a newer frame is in the mailbox
     std::function<void(double)> progress; ///< of long work, in [0, 1]; 1 ends it
-    /// A load that could not be carried out, or work that had to stop; the simulation is gone until the next
-    /// load. With the generation of the newest command that was executed.
+    /// A load that failed, or work that failed; there is no simulation until the next load. With the
+    /// generation of the newest command that was executed.
     std::function<void(Diagnostics, std::uint64_t generation)> failed;
 };
 
 /// Owns the simulation and its thread. Methods may be called from one other thread and never wait for work.
-/// Every command stops the work under way; afterwards the work goes on where it is still wanted. A newer seek
-/// or load takes the place of an older one, a pause gives a seek up, a step pauses playback, playback goes on
+/// Every command stops the work in progress; afterwards the work continues if it is still needed. A newer
+/// seek or load replaces an older one, a pause cancels a seek, a step pauses playback, and playback continues
 /// from the block of a seek.
 class SimulationThread {
 public:
@@ -78,8 +79,8 @@ public:
     SimulationThread& operator=(const SimulationThread&) = delete;
 
     void post(SimulationCommand command);
-    /// Stops long work under way (a seek, a load) within 200 ms and pauses; the state stays valid, and
-    /// nothing is taken up again before the next command.
+    /// Stops long work in progress (a seek, a load) within 200 ms and pauses; the state stays valid, and
+    /// nothing is resumed before the next command.
     void cancel();
     /// The newest frame that was not taken yet, or null.
     [[nodiscard]] FramePtr takeFrame();

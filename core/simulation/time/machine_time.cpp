@@ -16,7 +16,7 @@ namespace proveout {
 namespace {
 
 constexpr double kSecondsPerMinute = 60;
-/// The most that an arc's direction may need of an axis is taken for its whole length.
+/// The largest component of an arc's direction along an axis is used for its whole length.
 constexpr double kMovesAxis = 1e-12;
 constexpr std::size_t kMotionsBetweenLooks = 4096;
 
@@ -36,7 +36,7 @@ double along(const Vec3& direction, const Vec3& limits) {
     return most;
 }
 
-/// Of unit length, at the start or at the end of an arc, its growing radius and its pitch included.
+/// Unit vector at the start or at the end of an arc, including its growing radius and its pitch.
 Vec3 arcDirection(const Motion& motion, bool atEnd) {
     const PlaneAxes plane = axes(motion.plane);
     const Vec2 centre = inPlane(motion.centre, plane);
@@ -55,7 +55,7 @@ Vec3 arcDirection(const Motion& motion, bool atEnd) {
     return length > 0 ? direction / length : Vec3(1, 0, 0);
 }
 
-/// Goes through a program and puts the times where they belong.
+/// Goes through a program and assigns the times to its blocks.
 class TimeKeeping {
 public:
     TimeKeeping(std::shared_ptr<const Program> program, const Machine& machine)
@@ -81,7 +81,7 @@ public:
                 move(m_program.motion(index));
             }
         }
-        m_block = std::max<std::size_t>(m_block, 1) - 1; // what comes behind the last belongs to it
+        m_block = std::max<std::size_t>(m_block, 1) - 1; // events after the last block belong to it
         passEvents(m_program.motionCount());
         m_plan.stop();
         for (auto* sums : {&m_times->secondsAfter, &m_times->lengthAfter}) {
@@ -92,7 +92,7 @@ public:
     }
 
 private:
-    /// All events before a motion.
+    /// Processes all events before a motion.
     void passEvents(std::size_t motion) {
         for (const auto& events = m_program.events();
              m_event < events.size() && events[m_event].beforeMotion <= motion; ++m_event) {
@@ -126,7 +126,7 @@ private:
             m_times->standstills.push_back({m_block, seconds});
     }
 
-    /// Of the motions that are planned together all are rapids or none, and of one tool.
+    /// Motions that are planned together are either all rapids or none, and of one tool.
     void put(std::uint32_t block, double seconds) {
         double TimeParts::*part = m_rapid ? &TimeParts::rapid : &TimeParts::feed;
         m_times->parts.*part += seconds;
@@ -193,7 +193,7 @@ private:
         if (!(length > 0))
             return std::nullopt;
         const PlaneAxes plane = axes(motion.plane);
-        Vec3 most(0); // share of the length that an axis may have to move by somewhere on the arc
+        Vec3 most(0); // the largest share of the length by which an axis moves anywhere on the arc
         most[plane.first] = most[plane.second] = 1;
         most[plane.normal] = std::abs(motion.end[plane.normal] - motion.start[plane.normal]) / length;
         const double endRadius = glm::length(inPlane(motion.end, plane) - inPlane(motion.centre, plane));
@@ -221,7 +221,7 @@ private:
     VelocityPlan m_plan;
     std::size_t m_block = 0;
     std::size_t m_event = 0;
-    std::size_t m_tool = 0; ///< place in the table of tools
+    std::size_t m_tool = 0; ///< index in the table of tools
     int m_spindle = 0;
     bool m_rapid = false;
 };

@@ -11,7 +11,7 @@ namespace proveout {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Pieces in directions that differ by less are one straight side: 1 - cos of a microradian.
+/// Pieces whose directions differ by less form one straight side: 1 - cos of a microradian.
 constexpr double kStraight = 1e-12;
 constexpr std::size_t kPiecesAtOnce = 16384;
 
@@ -19,7 +19,7 @@ double squared(double value) {
     return value * value;
 }
 
-/// Seconds for a piece that is entered and left at these speeds, both squared.
+/// Seconds for a piece with these entry and exit speeds, both squared.
 double secondsOf(double length, double acceleration, double topSquared, double entry, double exit) {
     const double peakSquared = std::min(topSquared, (entry + exit) / 2 + acceleration * length);
     const double peak = std::sqrt(peakSquared);
@@ -34,7 +34,7 @@ double secondsOf(double length, double acceleration, double topSquared, double e
 VelocityPlan::VelocityPlan(double cornerDeviation, Reported reported)
     : m_cornerDeviation(cornerDeviation), m_reported(std::move(reported)), m_watch(kPiecesAtOnce) {}
 
-/// Squared; of the junction deviation alone, because the length of the side behind is not known yet.
+/// Squared; from the junction deviation alone, because the length of the following side is not known yet.
 double VelocityPlan::cornerLimit(const PathPiece& before, const PathPiece& after) const {
     const double top = squared(std::min(before.topSpeed, after.topSpeed));
     const double cosine = glm::dot(before.endDirection, after.startDirection); // of the change of direction
@@ -69,7 +69,7 @@ void VelocityPlan::add(const PathPiece& piece) {
         reportWhatIsSure();
 }
 
-/// The side has its whole length now: so has the limit at its first corner.
+/// The side has its full length now, so the limit at its first corner can be computed.
 void VelocityPlan::closeSide() {
     if (m_side == 0 || std::isinf(m_sideCorner))
         return;
@@ -77,7 +77,7 @@ void VelocityPlan::closeSide() {
     limit = std::min(limit, m_sideAcceleration * std::min(m_sideBefore, m_sideLength) / 2 * m_sideCorner);
 }
 
-/// What may be entered so that all that follows can still be braked for.
+/// The largest entry speeds from which braking for everything that follows is still possible.
 void VelocityPlan::planBackward() {
     m_entry.assign(m_pieces.size() + 1, 0);
     for (std::size_t i = m_pieces.size(); i-- > 0;)
@@ -85,7 +85,7 @@ void VelocityPlan::planBackward() {
                               m_entry[i + 1] + 2 * m_pieces[i].acceleration * m_pieces[i].length);
 }
 
-/// Times of the first pieces, whose entry speeds are planned, and forgets them.
+/// Reports the times of the first pieces, whose entry speeds are planned, and removes them.
 void VelocityPlan::report(std::size_t count) {
     double entry = m_pieces.empty() ? 0 : m_entry[0];
     for (std::size_t i = 0; i < count; ++i) {
@@ -99,8 +99,8 @@ void VelocityPlan::report(std::size_t count) {
         m_pieces.front().entryLimit = entry;
 }
 
-/// Where a piece may be entered at its limit although the machine had to stop at the last corner of all,
-/// nothing that follows can change what comes before.
+/// Where a piece may be entered at its limit even if the machine had to stop at the very last corner, nothing
+/// that follows can change the times of earlier pieces.
 void VelocityPlan::reportWhatIsSure() {
     const double open = std::exchange(m_pieces[m_side].entryLimit, 0); // its side may still grow
     planBackward();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only the command line notices, of proveout-cli as of the workstation: options and outputs. The window
-// never shows these texts, so they are not marked for translation.
+// Findings that only the command line reports, both of proveout-cli and of the workstation: options and
+// outputs. The window never shows these texts, so they are not marked for translation.
 #pragma once
 
 #include <array>

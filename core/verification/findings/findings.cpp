@@ -29,7 +29,7 @@ namespace proveout {
 
 namespace {
 
-/// Who notices the rows, the rows, and whether an error of them refuses the input.
+/// The source of the rows, the rows, and whether an error among them refuses the input.
 constexpr std::array kTables{
     FindingTable{FindingSource::files, base_finding::kBaseRows, true},
     FindingTable{FindingSource::reader, nc_message::kLoadRows, true},

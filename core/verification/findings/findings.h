@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of everything that can be wrong, whoever notices it. The rows of the core live in the rooms
-// that notice them, those of the window and of the command line beside this file, because the core
-// includes neither ui nor app. A new table is one line of findings.cpp.
+// The one table of all findings, whichever part reports them. The rows of the core are in the libraries that
+// report them, those of the window and of the command line beside this file, because the core includes
+// neither ui nor app. A new table is one line of findings.cpp.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// All rows, in the order of the rooms. Lives as long as the program; any thread.
+/// All rows, in the order of the core libraries. Lives as long as the program; any thread.
 [[nodiscard]] std::span<const FindingTable> findingTables();
 
 /// The first row of an id; null where there is none. Rows with one id have one title.

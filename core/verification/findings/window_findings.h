@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only the window notices: files, work in the background and export as its user meets them.
+// Findings that only the window reports: files, work in the background and export.
 #pragma once
 
 #include <array>
