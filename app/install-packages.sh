@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # install-packages.sh SECTION…: installs the missing Debian packages of these sections of packages.txt, and those of
-# SECTION-optional as far as they can be had. Touches the network only if something is missing.
+# SECTION-optional that are available. Uses the network only if something is missing.
 set -euo pipefail
 list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
 
@@ -53,7 +53,7 @@ if [ "$(id -u)" -ne 0 ]; then
     fi
 fi
 
-# Without what packages recommend: that of linuxcnc-uspace includes a real-time kernel.
+# Without recommended packages: those of linuxcnc-uspace include a real-time kernel.
 install() {
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "$@"
 }
@@ -66,7 +66,7 @@ if [ "${#missing[@]}" -gt 0 ]; then
         give_up "${missing[@]}"
     fi
 fi
-# Each by itself: one that cannot be had keeps no other away, and none of them stops the run.
+# One by one, so that an unavailable package does not prevent the others; no failure stops the run.
 for package in "${optional[@]}"; do
     if apt-cache show "$package" >/dev/null 2>&1; then
         install "$package" || echo "Continuing without $package." >&2

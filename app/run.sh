@@ -1,8 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# run.sh [PROGRAM [OPTION…]]: installs what is missing, builds, and opens the workstation on PROGRAM (an NC program
-# or a .proveout job; the core insert sample without one). Without a display it simulates headless instead; options
-# then go to `proveout-cli simulate`.
+# run.sh [PROGRAM [OPTION…]]: installs what is missing, builds, and opens PROGRAM (an NC program or a .proveout job; by
+# default the core insert sample) in the workstation. Without a display it simulates headless instead, and passes the
+# options to `proveout-cli simulate`.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 program="$(realpath -- "${1:-$root/resources/samples/core-insert.proveout}")"
@@ -12,7 +12,7 @@ bash "$root/app/install-packages.sh" build
 
 cd "$root"
 if [ ! -f build/release/build.ninja ]; then
-    # The tests need packages of their own; tests/run.sh switches them on.
+    # The tests need additional packages; tests/run.sh enables them.
     cmake --preset release -DPROVEOUT_TESTS=OFF -DPROVEOUT_BENCH=OFF -DPROVEOUT_TOGETHER=ON
 fi
 cmake --build build/release --parallel "$(nproc)" --target proveout proveout-cli
@@ -21,7 +21,7 @@ if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     exec build/release/app/proveout "$program"
 fi
 
-# A program beside its job file is simulated as that job.
+# If there is a job file next to the program, that job is simulated.
 stem="$(basename "${program%.*}")"
 job="${program%.*}.proveout"
 if [ -f "$job" ]; then

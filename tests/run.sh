@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# run.sh [CTEST OPTION…]: installs what is missing, builds everything, the sanitizer builds of the core included, and
-# runs every test. Ends in CTest's lines and with its exit code.
+# run.sh [CTEST OPTION…]: installs what is missing, builds everything, including the sanitizer builds of the core, and
+# runs every test. The output ends with CTest's lines, and the exit code is that of CTest.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
@@ -15,13 +15,13 @@ for preset in asan tsan; do
     cmake --preset "$preset"
     cmake --build "build/$preset" --parallel "$jobs"
 done
-# Remembers what it has checked; the test of the same name then reports. A finding must not stop the other tests.
+# Caches its results, which the test of the same name then reports. A finding must not stop the other tests.
 tests/lint/clang_tidy.py build/release || true
 
-# Random input is the same in every run, so that a failure is one of the change that runs it; tests started by
-# hand find new input each time. Of a test that fails, only what failed is printed.
+# Random input is the same in every run, so that a failure is caused by the change under test; tests started by hand
+# use new input each time. For a failing test, only the failures are printed.
 export PROVEOUT_SEED="${PROVEOUT_SEED:-1}" GTEST_BRIEF=1
-# What the tests see does not depend on the desktop they are started from.
+# Makes the tests independent of the desktop that they are started from.
 export LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=1 LIBGL_ALWAYS_SOFTWARE=1
 if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
     XDG_RUNTIME_DIR="$(mktemp -d)"
@@ -30,7 +30,7 @@ if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
 fi
 display=()
 if [ -z "${DISPLAY:-}" ]; then
-    # Without a window manager, no window has the keyboard again once a dialog over it was closed.
+    # Without a window manager, no window gets the keyboard focus back after a dialog was closed.
     display=(xvfb-run --auto-servernum --server-args "-screen 0 1600x1000x24"
         bash -c 'openbox >/dev/null 2>&1 & sleep 1; "$@"' with-window-manager)
 fi

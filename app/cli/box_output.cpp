@@ -92,7 +92,7 @@ Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
 void BoxOutput::run(const Program& program, const Setup& setup, std::size_t blocks, Report& report) {
     if (!wanted())
         return;
-    m_fine = *cutBox(program, setup, blocks, m_part); // what nobody stops is finished
+    m_fine = *cutBox(program, setup, blocks, m_part); // always completes, because nothing stops it
     if (!m_heights.empty())
         if (auto written = writeZMap(m_heights, m_fine.zmap); !written)
             report.addFatal(std::move(written.error()));

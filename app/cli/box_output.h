@@ -16,23 +16,23 @@
 
 namespace proveout::cli {
 
-/// The box of interest that `simulate` is asked for: `--box`, its spacing and its files.
+/// The detail region requested from `simulate`: `--box`, its spacing and its files.
 class BoxOutput {
 public:
     /// This object must outlive the parsing.
     void addTo(CLI::App& command);
 
     [[nodiscard]] bool wanted() const { return !m_box.empty(); }
-    /// Its files, with their sizes as far as check() has found them.
+    /// Its files; their sizes are known after check().
     [[nodiscard]] std::vector<Output> outputs() const;
-    /// Refuses a box that cannot be cut, or needs more memory than may be taken beside `heldBytes`, before
-    /// anything is cut.
+    /// Refuses a region that cannot be cut, or needs more memory than is available besides `heldBytes`,
+    /// before anything is cut.
     [[nodiscard]] Result<void> check(const Setup& setup, double heldBytes);
-    /// That the box takes; check() was asked.
+    /// The memory that the region needs; call check() first.
     [[nodiscard]] double bytes() const;
 
-    /// Cuts the box after the first `blocks` blocks, and writes its files; check() was asked. Warnings and
-    /// errors go to the report.
+    /// Cuts the region after the first `blocks` blocks, and writes its files; call check() first. Warnings
+    /// and errors are added to the report.
     void run(const Program& program, const Setup& setup, std::size_t blocks, Report& report);
 
     [[nodiscard]] nlohmann::ordered_json object() const;
@@ -48,7 +48,7 @@ private:
     double m_spacing = BoxOfInterest().spacing;
 
     GridPart m_part;
-    bool m_checked = false; ///< m_part is known
+    bool m_checked = false; ///< m_part is set
     FineMap m_fine;
     std::optional<ExportedSolid> m_exported;
 };

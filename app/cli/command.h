@@ -5,16 +5,17 @@
 
 namespace proveout::cli {
 
-/// Exit codes of the command line: a contract. 3 outranks 1 outranks 2 outranks 0.
+/// The exit codes of the command line, which are part of its interface. 3 takes precedence over 1, 1 over 2,
+/// and 2 over 0.
 enum class ExitCode : int {
-    done = 0,       ///< and nothing was found
-    faults = 1,     ///< the program would do harm
+    done = 0,       ///< nothing was found
+    faults = 1,     ///< the program would cause damage
     unverified = 2, ///< something in the program could not be checked
-    unusable = 3,   ///< usage, unreadable input, unwritable output
+    unusable = 3,   ///< wrong usage, unreadable input, unwritable output
 };
 
-/// Each adds a command or two: its options to `app`, and a callback that runs it and leaves its exit code in
-/// `exitCode`, which must outlive `app`.
+/// Each function adds one or two commands: its options to `app`, and a callback that runs it and stores its
+/// exit code in `exitCode`, which must outlive `app`.
 void addInterpretCommand(CLI::App& app, ExitCode& exitCode);
 void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
 void addDecimateCommand(CLI::App& app, ExitCode& exitCode);
@@ -22,6 +23,6 @@ void addToolsCommand(CLI::App& app, ExitCode& exitCode);
 void addHeadlessStudyCommand(CLI::App& app, ExitCode& exitCode);
 void addFormatsCommand(CLI::App& app, ExitCode& exitCode);
 void addStocksCommand(CLI::App& app, ExitCode& exitCode);
-void addNcListings(CLI::App& app, ExitCode& exitCode); ///< dialects, rules
+void addNcListings(CLI::App& app, ExitCode& exitCode); ///< dialects and rules
 
 } // namespace proveout::cli

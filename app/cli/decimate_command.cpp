@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// decimate: decimation alone, on a given z-map.
+// decimate: decimates a given z-map, without a simulation.
 #include <cmath>
 #include <fmt/core.h>
 #include <memory>
@@ -41,7 +41,7 @@ MapOutputs mapOutputs(const DecimateOptions& options) {
     return {.schedule = false, .whole = true, .solid = options.meshes.wanted()};
 }
 
-/// The map, once all that can be refused without decimating has been, and the parameters for it.
+/// The z-map, once everything that can be refused without decimating has been checked, and its parameters.
 Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameters& parameters) {
     const bool solid = options.meshes.wanted();
     if (auto known = options.meshes.check(); !known)

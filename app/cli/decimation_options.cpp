@@ -9,7 +9,7 @@ namespace proveout::cli {
 
 namespace {
 
-/// "8", or what differs by method: "20; global: 1".
+/// "8", or "20; global: 1" if methods differ.
 std::string defaultOf(int DecimationMethodRow::*number) {
     const int first = decimationMethods().front().*number;
     std::string text = std::to_string(first);
@@ -36,7 +36,7 @@ void DecimationOptions::addTo(CLI::App& command) {
 
 void DecimationOptions::apply(DecimationParameters& parameters, Named named, double points) const {
     const DecimationMethod before = parameters.method;
-    Result<void> result; // these texts are all good once they have been parsed
+    Result<void> result; // stays without errors, because the parser has checked these texts
     describe(parameters, OptionReader{m_given, result});
     const bool sameMethod = parameters.method == before;
     useDefaults(parameters, given("region") || (named.region && sameMethod),

@@ -10,19 +10,19 @@
 
 namespace proveout::cli {
 
-/// One option a field of DecimationParameters, made from its description.
+/// One option per field of DecimationParameters, created from its description.
 class DecimationOptions {
 public:
     /// This object must outlive the parsing.
     void addTo(CLI::App& command);
     [[nodiscard]] bool given(const std::string& key) const { return m_given.contains(key); }
-    /// Whether region size and period of the parameters have been named elsewhere.
+    /// Whether region size and period of the parameters were set elsewhere.
     struct Named {
         bool region = false;
         bool period = false;
     };
-    /// Puts what was given over `parameters`. Region size and period that were neither given nor named, or
-    /// named for another method, become its standards on a map of `points`.
+    /// Overrides `parameters` with the given options. Region size and period that were not set anywhere, or
+    /// only for another method, become the defaults for a z-map of `points` points.
     void apply(DecimationParameters& parameters, Named named, double points) const;
 
 private:

@@ -7,8 +7,8 @@
 
 namespace proveout::cli {
 
-/// Writes the lines on which a text moves differently in two dialects, as JSON Lines: {"k":"differs"} with
-/// line, source and the motions in each of them, then {"k":"sum"} with their number.
+/// Writes the lines whose motions differ between two dialects, as JSON Lines: {"k":"differs"} with line,
+/// source and the motions in each dialect, then {"k":"sum"} with their number.
 void writeDifferences(std::ostream& out, const NcText& text, InterpretOptions options, DialectId one,
                       DialectId other);
 

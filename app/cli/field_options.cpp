@@ -22,7 +22,7 @@ namespace {
 
 const std::string kAuto = "auto";
 
-/// The whole text as a number, with or without a sign; without this, "8x" would pass as 8.
+/// Converts the complete text to a number, with or without a sign; a partial match would accept "8x" as 8.
 template<class Number>
 std::optional<Number> numberIn(const std::string& text) {
     Number number{};
@@ -50,7 +50,7 @@ CLI::Validator isNumberOf(const Field& field) {
         withUnit(fmt::format("{} to {}", field.minimum, field.maximum), field));
 }
 
-/// What "auto" means, within a sentence.
+/// The meaning of "auto", for use within a sentence.
 std::string automaticText(const Field& field) {
     std::string text = field.automatic;
     if (!text.empty())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options of described fields (core/base/field.h): one function for each type of value, for all structs of
-// parameters. A type without one does not compile.
+// Options for described fields (core/base/field.h): one function per type of value, for all parameter
+// structs. A type without a function does not compile.
 #pragma once
 
 #include <map>
@@ -20,20 +20,20 @@
 
 namespace proveout::cli {
 
-/// The options that were given, by field key; the parser has checked the texts.
+/// The given options by field key; the parser has checked their texts.
 using GivenFields = std::map<std::string, std::string>;
 
-/// A visitor of describe() that adds an option for each field, with the help of the field, its range and what
-/// holds without the option. The map must outlive the parsing.
+/// A visitor of describe() that adds an option for each field, with the help of the field, its range and its
+/// default. The map must outlive the parsing.
 struct OptionAdder {
     CLI::App& command;
     GivenFields& given;
     std::string group = "Options";
-    std::map<std::string, std::string> defaultTexts = {}; ///< by key, where it is not the value
+    std::map<std::string, std::string> defaultTexts = {}; ///< by key, if the text differs from the value
 
     void operator()(double value, const Field& field) const;
     void operator()(int value, const Field& field) const;
-    /// A flag that changes it, or the keys of the choices.
+    /// A flag that toggles the value, or an option with the keys of the choices.
     void operator()(bool value, const Field& field) const;
     void operator()(const std::optional<int>& value, const Field& field) const;
     void operator()(const std::optional<Vec3>& value, const Field& field) const;
@@ -54,7 +54,7 @@ private:
     [[nodiscard]] std::string help(const Field& field, const std::string& defaultText) const;
 };
 
-/// A visitor of describe() that reads what was given. The first error stays in `result`.
+/// A visitor of describe() that reads the given options. The first error is kept in `result`.
 struct OptionReader {
     const GivenFields& given;
     Result<void>& result;
@@ -65,7 +65,7 @@ struct OptionReader {
     void operator()(std::optional<int>& value, const Field& field) const;
     void operator()(std::optional<Vec3>& value, const Field& field) const;
     void operator()(std::optional<DialectId>& value, const Field& field) const;
-    /// Adds to the numbers.
+    /// Adds to the existing numbers.
     void operator()(std::set<int>& value, const Field& field) const;
     void operator()(GridPlace<double, bool> grid, const Field& field) const;
     template<class Enumeration>
@@ -83,7 +83,7 @@ private:
 
 [[nodiscard]] std::set<std::string> dialectKeys();
 
-/// "rapidXY (mm/min), …": the keys of a described struct that is one option.
+/// "rapidXY (mm/min), …": the keys of a described struct that is set by one option.
 template<class Params>
 [[nodiscard]] std::string keysWithUnits() {
     std::string keys;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// formats: the file formats, read from their table.
+// formats: lists the file formats of the table.
 #include <fmt/core.h>
 #include <memory>
 #include <string>

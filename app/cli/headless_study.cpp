@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// study without a renderer: counts, cutting and decimation; drawing at a rate that was given.
+// study without a renderer: counts, cutting and decimation are measured; drawing is computed from a given
+// rate.
 #include "app/cli/study_command.h"
 
 namespace proveout::cli {

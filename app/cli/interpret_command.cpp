@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// interpret: what a program means, as JSON Lines.
+// interpret: prints the meaning of a program as JSON Lines.
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -28,7 +28,7 @@ struct InterpretCommandOptions {
     ToolOptions tools;
     StockOptions stock;
     GivenFields control;
-    std::vector<std::string> compared; ///< two dialects, or none
+    std::vector<std::string> compared; ///< two dialects, or empty
 };
 
 ExitCode run(const InterpretCommandOptions& options) {

@@ -9,9 +9,9 @@
 
 namespace proveout::cli {
 
-/// Reads and interprets the program of a job, and tells `report` what there is to say about it. Tools that
-/// the program calls and the job lacks are added to the job where comments of the program describe them.
-/// Errors: the file cannot be read, or is no program of a control that is read here.
+/// Reads and interprets the program of a job, and adds its messages to `report`. Missing tools that comments
+/// of the program describe are added to the job. Errors: the file cannot be read, or is not a program for a
+/// supported control.
 [[nodiscard]] Result<std::shared_ptr<const Program>> loadProgram(Job& job, Report& report);
 
 } // namespace proveout::cli

@@ -10,8 +10,9 @@
 
 namespace proveout::cli {
 
-/// `machineSeconds` of the report: the whole program by parts and tools, and what `blocks` of it take.
-/// `assumed`: nobody has described the machine. `tools`: of the program.
+/// `machineSeconds` of the report: the times of the whole program by kind of motion and by tool, and the time
+/// of the first `blocks` blocks. `assumed`: default values are used for the machine. `tools`: those of the
+/// program.
 [[nodiscard]] nlohmann::ordered_json machineSeconds(const MachineTimes& times, std::size_t blocks,
                                                     bool assumed, const ToolChoice& tools);
 

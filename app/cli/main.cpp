@@ -15,7 +15,7 @@ namespace {
 using namespace proveout::cli;
 using namespace proveout::command_line_finding;
 
-/// One row a command, in the order of the help.
+/// One row per command; the help lists them in this sequence.
 constexpr std::array kCommands{addInterpretCommand,     addSimulateCommand, addDecimateCommand,
                                addHeadlessStudyCommand, addToolsCommand,    addStocksCommand,
                                addFormatsCommand,       addNcListings};
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     try {
         return static_cast<int>(run(argc, argv));
     } catch (const std::bad_alloc&) {
-        // Without the memory that another sentence would take.
+        // Prints directly, because formatting another message would need memory.
         std::fprintf(stderr, "proveout-cli: error: %s [%s]\n", kCommandOutOfMemory.text,
                      kCommandOutOfMemory.id);
     } catch (const std::exception& exception) {

@@ -6,13 +6,13 @@
 
 namespace proveout::cli {
 
-/// How far a surface lies from its z-map, and what that figure is worth.
+/// The deviation of a surface from its z-map, and how it was determined.
 struct MeasuredSurface {
     double largestErrorMm = 0;
     const char* level = "none"; ///< "surface", "sample", "measured" or "none"
 };
 
-/// Measures a surface anew from its triangles, without asking the decimator.
+/// Measures a surface from its triangles, independently of the decimator.
 [[nodiscard]] MeasuredSurface measure(const SurfaceSnapshot& surface, const ZMapSnapshot& zmap,
                                       const DecimationParameters& parameters);
 

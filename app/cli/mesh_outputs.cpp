@@ -47,7 +47,7 @@ Result<void> MeshOutputs::check() const {
 
 const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
     const FileFormat* binary = findFormat("stl");
-    const FileFormat* format = file == m_stl ? binary : meshFormatOf(file).value(); // check() was asked
+    const FileFormat* format = file == m_stl ? binary : meshFormatOf(file).value(); // check() has succeeded
     return format == binary && m_asciiStl ? *findFormat("stl-ascii") : *format;
 }
 
@@ -94,7 +94,7 @@ void printFiles(const std::vector<MeshOutput>& written) {
 }
 
 double largestErrorMm(double surfaceErrorMm, const std::vector<MeshOutput>& written, double allowance) {
-    constexpr double kWorthCounting = 0.01; // of the error allowance
+    constexpr double kWorthCounting = 0.01; // share of the error allowance
     double largest = surfaceErrorMm;
     for (const MeshOutput& output : written)
         if (output.exported.largestErrorMm > surfaceErrorMm + kWorthCounting * allowance)

@@ -22,7 +22,7 @@ struct MeshOutput {
     ExportedSolid exported;
 };
 
-/// The mesh files that a command is asked for: `--export`, whose ending names the format, and `--stl`.
+/// The mesh files requested from a command: `--export`, whose extension selects the format, and `--stl`.
 class MeshOutputs {
 public:
     /// This object must outlive the parsing.
@@ -30,16 +30,16 @@ public:
 
     [[nodiscard]] bool wanted() const { return !m_stl.empty() || !m_exports.empty(); }
     [[nodiscard]] std::vector<std::string> files() const;
-    /// The files; with a grid, of a full mesh on which the sizes are known. check() was asked.
+    /// The files; with a grid, including the sizes of a full mesh on it. Call check() first.
     [[nodiscard]] std::vector<Output> outputs(const Grid* fullMesh = nullptr) const;
-    /// Refuses endings that no mesh format has.
+    /// Refuses extensions that do not belong to a mesh format.
     [[nodiscard]] Result<void> check() const;
 
-    /// Closes a surface of these parameters into a solid, taking its triangles, and writes every file.
-    /// Warnings and errors go to the report.
+    /// Closes a surface with these parameters into a solid, consuming its triangles, and writes every file.
+    /// Warnings and errors are added to the report.
     [[nodiscard]] std::vector<MeshOutput> write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
                                                 const DecimationParameters& parameters, Report& report) const;
-    /// Adds "exports", one row a file, and "stl" where that option was given.
+    /// Adds "exports", one row per file, and "stl" if that option was given.
     void addTo(nlohmann::ordered_json& object, const std::vector<MeshOutput>& written) const;
 
 private:
@@ -50,11 +50,11 @@ private:
     bool m_asciiStl = false;
 };
 
-/// One line a file.
+/// Prints one line per file.
 void printFiles(const std::vector<MeshOutput>& written);
 
-/// The largest error of a surface and of the files that it was written to. What rounding adds counts where it
-/// is more than a hundredth of the error allowance.
+/// The largest error of a surface and of the files that it was written to. The rounding error is included if
+/// it exceeds a hundredth of the error allowance.
 [[nodiscard]] double largestErrorMm(double surfaceErrorMm, const std::vector<MeshOutput>& written,
                                     double allowance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// dialects, rules: what the interpreter knows and what can be wrong, read from the tables.
+// dialects, rules: list what the interpreter supports and which problems it reports, from the tables.
 #include <algorithm>
 #include <charconv>
 #include <fmt/core.h>
@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// As JSON names it, and as the list does.
+/// The names in JSON and in the printed list.
 struct MacroName {
     const char* key;
     const char* name;
@@ -67,7 +67,7 @@ void printDialects() {
     }
 }
 
-/// The number of arguments of a sentence: as many as it has `{}`, or the largest n of its `{n}`.
+/// The number of arguments of a sentence: the number of `{}`, or the largest n of `{n}`.
 std::size_t parametersOf(std::string_view text) {
     std::size_t count = 0;
     std::size_t largest = 0;
@@ -106,7 +106,7 @@ ordered_json rulesAsJson() {
     return {{"rules", std::move(list)}};
 }
 
-/// Rows of one id that differ only in their sentences share a line.
+/// Rows with the same id that differ only in their sentences share a line.
 void printRules() {
     fmt::print("{:<32} {:<8} {:<5} {:<12} {}\n", "id", "severity", "exit", "noticed by", "title");
     std::set<std::string> printed;

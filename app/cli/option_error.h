@@ -5,8 +5,8 @@
 
 namespace proveout::cli {
 
-/// Makes messages that are about the value of an option name it, where they would else be taken for messages
-/// about the program.
+/// Adds the name of the option to messages about its value, which otherwise would look like messages about
+/// the program.
 [[nodiscard]] tl::unexpected<Diagnostics> aboutOption(const char* option, Diagnostics diagnostics);
 
 } // namespace proveout::cli

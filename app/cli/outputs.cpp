@@ -35,7 +35,7 @@ Result<void> checkDistinct(const std::vector<std::string>& inputs, const std::ve
     return {};
 }
 
-/// Each fits alone. A disk that does not tell its space has enough.
+/// Each file fits alone. If the free space of a disk is unknown, it counts as sufficient.
 Result<void> checkSpaceTogether(const std::vector<Output>& outputs) {
     std::map<dev_t, std::uint64_t> needed;
     for (const auto& [file, bytes] : outputs) {

@@ -10,22 +10,22 @@
 
 namespace proveout::cli {
 
-/// A file that a command is asked to write. Value type.
+/// A file that a command is requested to write. Value type.
 struct Output {
-    std::string file;        ///< empty: not asked for
-    std::uint64_t bytes = 0; ///< that it will take, as far as that is known by now
+    std::string file;        ///< empty: not requested
+    std::uint64_t bytes = 0; ///< its size, as far as known at this point
 };
 
-/// Asked before any work, and once more when sizes are known: refuses outputs that would overwrite an input
-/// or one another, that cannot be written, and for which there is no space, together where they share a disk.
-/// Nothing is left behind, and files that are there stay as they are.
+/// Called before any work, and again when sizes are known: refuses outputs that would overwrite an input or
+/// each other, that cannot be written, or for which there is not enough space, added up per disk. Creates no
+/// files, and existing files stay unchanged.
 [[nodiscard]] Result<void> checkOutputs(const std::vector<std::string>& inputs,
                                         const std::vector<Output>& outputs);
 
-/// Whether a mesh with these parameters has all points of the map.
+/// Whether a mesh with these parameters contains all points of the z-map.
 [[nodiscard]] bool writesFullMesh(const DecimationParameters& parameters);
 
-/// Refuses parameters whose surface has cracks.
+/// Refuses parameters that give a surface with cracks.
 [[nodiscard]] Result<void> checkExportable(const DecimationParameters& parameters);
 
 } // namespace proveout::cli

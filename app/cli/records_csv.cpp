@@ -21,7 +21,7 @@ std::string header() {
     return line + '\n';
 }
 
-/// Nothing where it is not known.
+/// Appends nothing if the value is unknown.
 void append(std::string& line, const BlockValue& value) {
     std::visit(
         [&line](auto known) {

@@ -9,11 +9,11 @@
 
 namespace proveout::cli {
 
-inline constexpr std::uint64_t kLeastRecordBytes = 30; ///< of a row
+inline constexpr std::uint64_t kLeastRecordBytes = 30; ///< of one row
 
-/// Writes one row per executed block that moves, atomically: block (1-based), source line and its statistics;
-/// mm, mm³ and seconds. `cuts` and `firstContact` are 0 or 1; `rateMm3PerMin` is empty where the feed of the
-/// block is not known.
+/// Writes one row per executed motion block, atomically: block (1-based), source line and its statistics; mm,
+/// mm³ and seconds. `cuts` and `firstContact` are 0 or 1; `rateMm3PerMin` is empty if the feed rate of the
+/// block is unknown.
 [[nodiscard]] Result<void> writeRecords(const std::filesystem::path& file, const Frame& frame);
 
 } // namespace proveout::cli

@@ -10,21 +10,21 @@
 
 namespace proveout::cli {
 
-/// What a command has to tell about its inputs: each message goes to stderr at once, and all of them decide
-/// the exit code and stand in the JSON.
+/// The messages of a command: each is printed on stderr immediately, and together they determine the exit
+/// code and are listed in the JSON.
 class Report {
 public:
-    /// `file` names messages that have no file of their own.
+    /// `file` is used for messages without a file of their own.
     explicit Report(std::string file) : m_file(std::move(file)) {}
 
     void add(Diagnostics diagnostics);
-    /// What stopped the command, or kept an output from being written: exit code 3.
+    /// For errors that stopped the command or prevented an output: exit code 3.
     void addFatal(Diagnostics diagnostics);
-    /// Something could not be checked, and a message has said so already.
+    /// Something could not be checked, and a message about it was added already.
     void markUnverified() { m_unverified = true; }
 
     [[nodiscard]] ExitCode exitCode() const;
-    /// The messages about what was checked, and those about what could not be.
+    /// The messages about what was checked, and about what could not be checked.
     [[nodiscard]] nlohmann::ordered_json findings() const;
     [[nodiscard]] nlohmann::ordered_json unverified() const;
 
@@ -37,7 +37,7 @@ private:
     bool m_fatal = false;
 };
 
-/// Prints one JSON object on stdout; bytes that are no UTF-8 (of file names) are replaced.
+/// Prints one JSON object on stdout; bytes that are not UTF-8 (in file names) are replaced.
 void printJson(const nlohmann::ordered_json& object);
 
 } // namespace proveout::cli

@@ -16,7 +16,7 @@ namespace proveout::cli {
 
 namespace {
 
-/// One sentence, and how the command that was named is used; the whole help would push the sentence off the
+/// One sentence and the usage of the given command; the complete help would scroll the sentence off the
 /// screen.
 ExitCode refuse(const CLI::App& app, std::string sentence) {
     const auto chosen = app.get_subcommands();
@@ -32,13 +32,14 @@ ExitCode refuse(const CLI::App& app, std::string sentence) {
     return ExitCode::unusable;
 }
 
-/// A first argument that is neither a command nor an option; the parser would only say that one is missing.
+/// A first argument that is neither a command nor an option; the parser would only report that a command is
+/// missing.
 bool isUnknownCommand(const CLI::App& app, const std::string& argument) {
     const auto named = [&](const CLI::App* command) { return command->get_name() == argument; };
     return !argument.starts_with('-') && app.get_subcommands(named).empty();
 }
 
-/// An empty value is a mistake, e.g. a variable of a script that was never set, and must not count as none.
+/// An empty value is a mistake, such as a script variable that was never set, and must not count as no value.
 void refuseEmptyValues(CLI::App& app) {
     const CLI::Validator notEmpty(
         [](const std::string& value) { return value.empty() ? "must not be empty" : std::string(); },
@@ -50,7 +51,7 @@ void refuseEmptyValues(CLI::App& app) {
         refuseEmptyValues(*command);
 }
 
-/// `error`: 0 where the reason is not known any more.
+/// `error`: 0 if the reason is no longer known.
 ExitCode unwritableOutput(const CLI::App& app, int error) {
     if (error == 0)
         printFinding(app.get_name(), command_line_finding::kOutputUnwritable);
@@ -65,7 +66,7 @@ ExitCode unwritableOutput(const CLI::App& app, int error) {
 void printFinding(const std::string& program, const FindingRow& row, std::vector<Argument> arguments) {
     Diagnostic diagnostic = diagnosticOf(row, std::move(arguments));
     diagnostic.file = program;
-    // A stderr that cannot be written is ignored: the exit code still says that the command failed.
+    // If stderr cannot be written either, the exit code still reports the failure.
     std::fputs((oneLine(diagnostic) + '\n').c_str(), stderr);
 }
 
@@ -80,7 +81,7 @@ ExitCode runCommand(CLI::App& app, const ExitCode& exitCode, int argc, char** ar
         app.exit(wanted);
     } catch (const CLI::ParseError& error) {
         return refuse(app, error.what());
-    } catch (const std::system_error& error) { // of what prints
+    } catch (const std::system_error& error) { // thrown by the output functions
         if (std::ferror(stdout) == 0)
             throw;
         return unwritableOutput(app, error.code().value());

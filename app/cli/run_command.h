@@ -9,11 +9,11 @@
 
 namespace proveout::cli {
 
-/// Reads the arguments and runs the command that they name; `exitCode` is what its commands set. Help goes to
-/// stdout; what cannot be read is told in one sentence, with how the command is used.
+/// Reads the arguments and runs the given command; `exitCode` is set by its commands. Help is printed on
+/// stdout; an invalid argument is reported in one sentence, followed by the usage of the command.
 [[nodiscard]] ExitCode runCommand(CLI::App& app, const ExitCode& exitCode, int argc, char** argv);
 
-/// Prints a finding about how `program` was called, or what became of it, to stderr.
+/// Prints a finding about how `program` was called, or about its failure, to stderr.
 void printFinding(const std::string& program, const FindingRow& row, std::vector<Argument> arguments = {});
 
 } // namespace proveout::cli

@@ -43,7 +43,7 @@ Result<void> StockOptions::apply(Setup& setup) const {
     auto stock = parseStock(spec);
     if (!stock)
         return aboutOption("--stock", std::move(stock.error()));
-    // A box of another size stays where the job has it.
+    // A box of another size keeps the position in the job.
     if (stock->shape.kind == StockKind::box)
         corner = setup.stock.corner;
     if (auto made = makeStock(*stock, corner); !made)
@@ -181,7 +181,7 @@ Result<void> SetupOptions::checkGrid(const Job& job, const MapOutputs& outputs) 
     return {};
 }
 
-/// The job file is meant where its value was used.
+/// The message refers to the job file if its value was used.
 tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) const {
     const Diagnostic& reason = diagnostics.front();
     const bool origin = hasIdOf(reason, zmap_finding::kStockOriginBad);

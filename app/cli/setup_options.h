@@ -21,13 +21,13 @@ struct StockOptions {
     std::string origin;
 
     void addTo(CLI::App& command);
-    /// Changes what is given; a saved stock brings the spacing of its grid with it.
+    /// Applies the given options; a saved stock also sets the grid spacing.
     [[nodiscard]] Result<void> apply(Setup& setup) const;
-    /// The file that the stock comes from, if it does.
+    /// The file of the stock, if it has one.
     [[nodiscard]] std::string file() const;
 };
 
-/// `--tools` and `--tool`; the latter outrank the file.
+/// `--tools` and `--tool`; the latter take precedence over the file.
 struct ToolOptions {
     std::string file;
     std::vector<std::string> tools;
@@ -37,25 +37,25 @@ struct ToolOptions {
     [[nodiscard]] Result<void> apply(ToolTable& table) const;
 };
 
-/// A warning where type B is asked for, and the control of the program knows no types.
+/// A warning if type B is requested but the control of the program does not distinguish types.
 [[nodiscard]] Diagnostics unusedCompensationStart(bool typeB, const Program& program);
 
-/// The set-up of a run, from a job file, from options, or both: an option outranks the job.
+/// The setup of a run, from a job file, from options, or both: an option takes precedence over the job.
 class SetupOptions {
 public:
-    /// Adds PROG and the set-up options. This object must outlive the parsing.
+    /// Adds PROG and the setup options. This object must outlive the parsing.
     void addTo(CLI::App& command);
 
     [[nodiscard]] Result<Job> job() const;
-    /// Finds the spacing of an automatic grid, and the region size where nobody named one.
+    /// Determines the spacing of an automatic grid, and the region size if it was not set.
     static void settleGrid(Job& job, const Program& program, const MapOutputs& outputs);
-    /// Refuses a stock and a grid that cannot be, or need more memory than may be taken.
+    /// Refuses a stock or a grid that is invalid or needs more memory than is available.
     [[nodiscard]] Result<void> checkGrid(const Job& job, const MapOutputs& outputs) const;
     [[nodiscard]] const DecimationOptions& decimation() const { return m_decimation; }
     [[nodiscard]] std::vector<std::string> inputs() const {
         return {m_program, m_jobFile, m_tools.file, m_stock.file()};
     }
-    /// What messages without a place of their own are about.
+    /// The file that messages without a file of their own refer to.
     [[nodiscard]] const std::string& subject() const { return m_program.empty() ? m_jobFile : m_program; }
 
 private:
@@ -67,7 +67,7 @@ private:
     bool m_allowOutside = false;
     StockOptions m_stock;
     ToolOptions m_tools;
-    GivenFields m_given; ///< of grid and control
+    GivenFields m_given; ///< for grid and control
     std::string m_machine;
     DecimationOptions m_decimation;
 };

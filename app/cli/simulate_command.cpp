@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// simulate: cuts a program, and writes what is asked for.
+// simulate: cuts a program and writes the requested files.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -58,7 +58,7 @@ struct Seconds {
     double total = 0;
 };
 
-/// One run of the command; each part tells the report what went wrong.
+/// One run of the command; each part adds its errors to the report.
 class SimulateRun {
 public:
     explicit SimulateRun(SimulateOptions& options) : m_options(options), m_report(options.setup.subject()) {}
@@ -102,7 +102,7 @@ private:
         if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
             !fine(checkExportable(m_job.parameters)))
             return false;
-        // A grid that is given is refused before a long program is read.
+        // A given grid is checked before a long program is read.
         const bool automatic = m_job.setup.automaticGrid;
         if ((!automatic && !checkGrid()) || !interpretProgram())
             return false;
@@ -118,7 +118,7 @@ private:
 
     [[nodiscard]] std::vector<Output> outputs() const { return allOutputs(m_options.meshes.outputs(), 0, 0); }
 
-    /// Once program and grid are known.
+    /// Call it when program and grid are known.
     [[nodiscard]] std::vector<Output> sizedOutputs() const {
         const auto grid = makeGrid(m_job.setup.stock, m_job.setup.spacing);
         const bool full = m_options.mesh == "full" || writesFullMesh(m_job.parameters);
@@ -142,7 +142,7 @@ private:
                fine(m_options.box.check(m_job.setup, heldBytes()));
     }
 
-    /// What of the map and its meshes is there yet when the box is cut.
+    /// The memory of the z-map and its meshes that is still in use when the region is cut.
     [[nodiscard]] double heldBytes() const {
         const auto grid = makeGrid(m_job.setup.stock, m_job.setup.spacing);
         return grid ? zmapBytes(*grid) + static_cast<double>(grid->nx) * grid->ny *
@@ -174,13 +174,13 @@ private:
         return true;
     }
 
-    /// The surface between start and end is nobody's business unless records or a period were asked for:
-    /// what is written is decimated as a whole anyway.
+    /// Intermediate surfaces are needed only for records or if a period was given: the outputs are decimated
+    /// as a whole anyway.
     [[nodiscard]] bool followsSchedule() const {
         return !m_options.records.empty() || m_options.setup.decimation().given("period");
     }
 
-    /// The parameters of the surface while it is cut.
+    /// The parameters of the surface during the simulation.
     [[nodiscard]] DecimationParameters scheduled() const {
         DecimationParameters parameters = m_job.parameters;
         if (!followsSchedule())
@@ -194,14 +194,14 @@ private:
         if (!simulation)
             return fine(std::move(simulation));
         m_simulation = std::move(*simulation);
-        m_simulation->setCheckpointBudget(0); // nobody goes back
+        m_simulation->setCheckpointBudget(0); // the simulation never goes back
         if (!m_options.provenance.empty())
             m_uncut = m_simulation->zmap();
         m_simulation->seek(blocksToRun(parseStopBlock(m_options.until), *m_program));
         m_frame = m_simulation->frame();
         Diagnostics findings = m_frame.findings;
         for (Diagnostic& finding : findings)
-            if (finding.file.empty()) // else it is about the file of the stock
+            if (finding.file.empty()) // otherwise it concerns the stock file
                 finding.file = m_job.program.string();
         m_report.add(std::move(findings));
         m_times = machineTimes(m_program, m_job.machine.value_or(Machine()));
@@ -368,9 +368,9 @@ private:
     std::shared_ptr<const Program> m_program;
     std::unique_ptr<Simulation> m_simulation;
     Frame m_frame;
-    ZMapSnapshot m_uncut; ///< where the provenance is asked for
+    ZMapSnapshot m_uncut; ///< if provenance was requested
     std::shared_ptr<const MachineTimes> m_times;
-    std::optional<SurfaceSnapshot> m_surface; ///< where JSON or a mesh file asks for it
+    std::optional<SurfaceSnapshot> m_surface; ///< if JSON or a mesh file was requested
     MeasuredSurface m_measured;
     std::vector<MeshOutput> m_written;
     Seconds m_seconds;

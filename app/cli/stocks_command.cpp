@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stocks: the shapes of stock, read from their table.
+// stocks: lists the stock shapes of the table.
 #include <fmt/core.h>
 #include <memory>
 #include <string>
@@ -14,7 +14,7 @@ namespace proveout::cli {
 
 namespace {
 
-/// What may stand behind the key.
+/// The permitted values of the key.
 std::string valuesOf(const StockField& field) {
     if (std::holds_alternative<StockLength>(field.value))
         return fmt::format("above {} to {} mm", kLeastStockSide, kLargestStockSide);

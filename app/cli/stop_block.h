@@ -10,15 +10,15 @@
 
 namespace proveout::cli {
 
-/// Where `--until` ends the run: after the N-th executed block that moves, or after a source line.
+/// The end of a run with `--until`: after the N-th executed motion block, or after a source line.
 struct StopBlock {
     bool isLine = false;
     std::uint32_t number = 0;
 };
 
-/// Reads "N" or "L<n>"; none where it is neither.
+/// Parses "N" or "L<n>"; empty if it is neither.
 [[nodiscard]] std::optional<StopBlock> parseStopBlock(const std::string& text);
-/// How many blocks to execute; never more than there are.
+/// The number of blocks to execute, at most the number in the program.
 [[nodiscard]] std::size_t blocksToRun(const std::optional<StopBlock>& stop, const Program& program);
 
 } // namespace proveout::cli

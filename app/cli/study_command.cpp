@@ -38,7 +38,7 @@ struct StudyOptions {
     StudyEquipment equipment;
 };
 
-constexpr int kCheckingRuns = 3; ///< of the choice, and of what was given
+constexpr int kCheckingRuns = 3; ///< for the choice, and for the given parameters
 constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 8192;
 
@@ -47,7 +47,7 @@ struct PictureSize {
     int height = 0;
 };
 
-/// Zeros for what is no size.
+/// Zeros if the text is not a size.
 PictureSize pictureSize(const std::string& text) {
     PictureSize size;
     char rest = '\0';
@@ -93,7 +93,7 @@ private:
         if (auto ready = prepare(); !ready)
             return ready;
         if (m_job.program->blockCount() == 0)
-            return {}; // a message has said so
+            return {}; // the error was reported already
         if (m_options.optimise)
             return optimise();
         if (auto made = m_files.prepare(); !made)
@@ -118,7 +118,7 @@ private:
         SetupOptions::settleGrid(*job, **program, {});
         if (auto fits = given ? Result<void>() : m_options.setup.checkGrid(*job, {}); !fits)
             return fits;
-        // What no tool cuts is not cut, and the curves would be those of another program.
+        // Without its tools the program cuts nothing, and the curves would not describe it.
         m_report.add(FindingLog().diagnostics(**program, ToolChoice(**program, job->setup)));
         m_base = job->parameters;
         m_job = {std::move(*program), std::make_shared<const Setup>(job->setup)};
@@ -129,7 +129,7 @@ private:
         if (m_options.trianglesPerSecond) {
             m_drawing = std::make_unique<RatedDrawing>(*m_options.trianglesPerSecond);
         } else if (m_options.optimise && !m_options.equipment.renderer) {
-            m_drawing = std::make_unique<RatedDrawing>(); // without drawing, to decimate never pays
+            m_drawing = std::make_unique<RatedDrawing>(); // without a drawing cost, decimation never pays off
         } else if (m_options.equipment.renderer) {
             const auto [width, height] = pictureSize(m_options.picture);
             auto drawing = m_options.equipment.renderer(width, height);
@@ -153,7 +153,7 @@ private:
         return {};
     }
 
-    /// The method that was asked for, or all of them; what else was given holds for each.
+    /// The requested method, or all of them; the other given options apply to each.
     [[nodiscard]] std::vector<StudyVariant> variants() const {
         const DecimationOptions& given = m_options.setup.decimation();
         if (given.given("method"))
@@ -194,7 +194,7 @@ private:
             chart.id = fmt::format("{}-{}", figure.id, variant.key);
             chart.title = figure.title;
             if (std::ranges::all_of(chart.curves, [](const Curve& curve) { return curve.points.empty(); }))
-                continue; // an order of removal to a method that has none
+                continue; // this method has no removal order
             if (auto written = m_files.write(chart); !written)
                 return written;
         }

@@ -11,9 +11,9 @@
 
 namespace proveout::cli {
 
-/// What a binary has that can draw; the headless one has none of it.
+/// The drawing functions of a binary; the headless binary has none.
 struct StudyEquipment {
-    /// Makes the renderer whose time is measured, for pictures of width × height pixels.
+    /// Creates the renderer whose time is measured, for images of width × height pixels.
     std::function<Result<std::unique_ptr<DrawCost>>(int width, int height)> renderer;
     /// Writes an SVG document as PNG.
     std::function<Result<void>(const std::filesystem::path& file, const std::string& svg)> writePicture;

@@ -12,7 +12,7 @@ namespace proveout::cli {
 
 namespace {
 
-constexpr std::uint64_t kLeastBytes = 200'000; ///< of one sweep with its figures
+constexpr std::uint64_t kLeastBytes = 200'000; ///< for one sweep with its figures
 
 } // namespace
 
@@ -21,7 +21,8 @@ Result<void> StudyFiles::prepare() const {
     std::filesystem::create_directories(m_folder, error);
     if (error)
         return failure(command_line_finding::kFolderUnwritable, {error.message()}, m_folder.string());
-    // Found out by opening a file, before hours of sweeps: permissions alone do not tell (a full disk, root).
+    // Tested by opening a file before hours of sweeps, because permissions alone are not sufficient (a full
+    // disk, root).
     auto ready = AtomicFile(m_folder / "runs.csv", kLeastBytes).ready();
     if (!ready)
         ready.error().front().file = m_folder.string();

@@ -17,13 +17,13 @@ public:
     StudyFiles(std::filesystem::path folder, const StudyEquipment& equipment)
         : m_folder(std::move(folder)), m_equipment(equipment) {}
 
-    /// Makes the folder where it is missing.
+    /// Creates the folder if it does not exist.
     [[nodiscard]] Result<void> prepare() const;
-    /// ID.csv and ID.svg, and ID.png where this binary can draw one.
+    /// Writes ID.csv and ID.svg, and ID.png if this binary can draw it.
     [[nodiscard]] Result<void> write(const Chart& chart);
-    /// NAME.csv, a row a run.
+    /// Writes NAME.csv with one row per run.
     [[nodiscard]] Result<void> write(const std::string& name, std::span<const SweptPoint> points);
-    /// What was written, in order.
+    /// The names of the written files, in sequence.
     [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
 
 private:

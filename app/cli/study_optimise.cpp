@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// study --optimise: region size and period, chosen before the program runs, and what became of the
-// prediction.
+// study --optimise: chooses region size and period before the program runs, and compares the prediction with
+// measurements.
 #include "app/cli/study_optimise.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::string text(const Measured& measured) {
     return fmt::format("{:.4f} s (spread {:.1f} %)", measured.median, 100 * measured.spread);
 }
 
-/// Puts the best point in the place of all points.
+/// Replaces the list of points by the best point.
 Result<Optimised::Exhaustive> searchAll(const StudyJob& job, const DecimationParameters& given,
                                         const Rehearsal& rehearsal) {
     const StopWatch watch;

@@ -9,12 +9,12 @@
 
 namespace proveout::cli {
 
-/// What `study --optimise` found out.
+/// The result of `study --optimise`.
 struct Optimised {
     struct Exhaustive {
-        Forecast best;        ///< of all points, by counts of straight runs
-        double chosenSeconds; ///< of the chosen point, by such counts
-        double countSeconds;  ///< wall time of all straight runs, without drawing
+        Forecast best;        ///< best of all points, from the counts of direct runs
+        double chosenSeconds; ///< of the chosen point, from such counts
+        double countSeconds;  ///< wall time of all direct runs, without drawing
         Measured bestMeasured;
     };
 
@@ -24,7 +24,8 @@ struct Optimised {
     Measured givenMeasured;
     std::optional<Exhaustive> exhaustive;
 
-    /// Chooses, then runs the chosen and the given parameters in turns (and the best, where `exhaustive`).
+    /// Chooses, then runs the chosen and the given parameters alternately (and the best point if
+    /// `exhaustive`).
     [[nodiscard]] static Result<Optimised> of(const StudyJob& job, const DecimationParameters& given,
                                               const SweepOptions& measuring, bool exhaustive);
 

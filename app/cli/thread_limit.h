@@ -7,7 +7,7 @@
 
 namespace proveout::cli {
 
-/// `--threads N`: how many threads work in parallel; results never depend on it.
+/// `--threads N`: the number of threads that work in parallel; results never depend on it.
 class ThreadLimit {
 public:
     ThreadLimit();
@@ -17,7 +17,7 @@ public:
 
     /// This object must outlive the parsing.
     void addTo(CLI::App& command);
-    /// In force from here to the end of this object.
+    /// Limits the threads from this call until this object is destroyed.
     void apply();
 
 private:

@@ -7,11 +7,11 @@
 
 namespace proveout::cli {
 
-/// One object a tool: number, cutter, source; and of what was read from a comment its line and text, and what
-/// of the cutter is a default.
+/// One object per tool: number, cutter, source; for a tool from a comment also its line and text, and which
+/// sizes of the cutter are defaults.
 [[nodiscard]] nlohmann::ordered_json toolsAsJson(const ToolTable& table);
 
-/// Prints the tools on stdout, one a line. `unconfirmedOnly`: those whose sizes are not given.
+/// Prints the tools on stdout, one per line. `unconfirmedOnly`: only those with sizes that were not entered.
 void printTools(const ToolTable& table, bool unconfirmedOnly);
 
 } // namespace proveout::cli

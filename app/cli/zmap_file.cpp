@@ -16,7 +16,7 @@ namespace proveout::cli {
 
 namespace {
 
-constexpr double kDefaultThickness = 5; ///< mm below the least height
+constexpr double kDefaultThickness = 5; ///< mm below the lowest height
 
 Result<StockBox> stockOf(const NpyArray& array, double spacing, Vec2 origin, std::optional<double> floor) {
     if (array.rows < 2 || array.columns < 2)
@@ -109,7 +109,7 @@ Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing,
     auto grid = makeGrid(*stock, spacing);
     if (!grid)
         return about(file, std::move(grid.error()));
-    // Rounding in width / spacing must not add a point that the file does not have.
+    // Rounding of width / spacing must not add a point that the file does not have.
     grid->nx = array->columns;
     grid->ny = array->rows;
     grid->hx = spacing;

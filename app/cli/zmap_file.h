@@ -13,20 +13,21 @@
 
 namespace proveout::cli {
 
-/// Bytes of a file of one float or 32-bit number a point.
+/// Size of a file with one float or 32-bit integer per point.
 [[nodiscard]] std::uint64_t heightsBytes(int nx, int ny);
 
-/// Writes absolute heights: row 0 at the least y, float32.
+/// Writes absolute heights as float32; row 0 has the lowest y.
 [[nodiscard]] Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zmap);
 
-/// Writes source lines: of each point the one whose block lowered it last, 0 where none did; as writeZMap(),
-/// but unsigned 32-bit integers.
+/// Writes source lines: for each point the line of the block that last lowered it, 0 if there is none; like
+/// writeZMap(), but as unsigned 32-bit integers.
 [[nodiscard]] Result<void> writeProvenance(const std::filesystem::path& file, const Grid& grid,
                                            const Provenance& provenance, const Program& program);
 
 /// Reads absolute heights as the top of a stock: point (row j, column i) at origin + (i, j) · spacing, floor
-/// at `floor` or 5 mm below the least height. Errors: as readNpy; fewer than 2 × 2 points; heights that are
-/// not finite or not above the floor; what `check` refuses, which is asked before the map takes memory.
+/// at `floor` or 5 mm below the lowest height. Errors: those of readNpy; fewer than 2 × 2 points; heights
+/// that are not finite or not above the floor; those of `check`, which is called before memory for the map is
+/// allocated.
 [[nodiscard]] Result<ZMapSnapshot>
 readZMap(const std::filesystem::path& file, double spacing, Vec2 origin, std::optional<double> floor,
          const std::function<Result<void>(const StockBox&, const Grid&)>& check);

@@ -30,9 +30,9 @@ constexpr int kUnusable = 3;
 struct Options {
     QString file;
     QString screenshot;
-    QString panel; ///< of the screenshot; empty: the whole window
+    QString panel; ///< for the screenshot; empty: the whole window
     QSize size;
-    std::optional<std::size_t> seek; ///< none: the end of the program
+    std::optional<std::size_t> seek; ///< empty: the end of the program
     QString theme;
     QString language;
     QStringList actions;
@@ -46,7 +46,7 @@ void refuse(const std::string& sentence) {
     cli::printFinding("proveout", command_line_finding::kUsage, {sentence});
 }
 
-/// Ends the process itself on --help, --version and on usage errors.
+/// Exits the process on --help, --version and usage errors.
 Options readOptions(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
@@ -120,7 +120,7 @@ bool trigger(MainWindow& window, const QStringList& ids) {
     return true;
 }
 
-/// What is to be done with the document. False where there is no such command.
+/// Executes the commands of the options. False if a command does not exist.
 bool carryOut(MainWindow& window, const Options& options) {
     if (!trigger(window, options.actions))
         return false;
@@ -135,7 +135,7 @@ int run() {
     const Options options = readOptions(QApplication::arguments());
     QTemporaryDir ownSettings;
     if (!options.screenshot.isEmpty()) {
-        // A picture shows the defaults, not how this user has arranged the window.
+        // A screenshot must show the defaults and not the user's settings.
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, ownSettings.path());
     }
@@ -146,24 +146,24 @@ int run() {
         appearance.overrideLanguage(options.language);
     Session session;
     MainWindow window(session, appearance);
-    // A picture shows the defaults.
+    // A screenshot must not depend on backups.
     std::optional<Recovery> recovery;
     if (options.screenshot.isEmpty())
         recovery.emplace(window, Recovery::defaultRoot());
     if (!options.size.isEmpty()) {
-        window.setWindowState(Qt::WindowNoState); // as a small screen or the last session had it
+        window.setWindowState(Qt::WindowNoState); // may be maximised
         window.resize(options.size);
     }
     window.show();
     const auto execute = [&recovery] {
         const int result = QApplication::exec();
         if (recovery)
-            recovery->end(); // not where something was thrown
+            recovery->end(); // skipped if an exception was thrown
         return result;
     };
     if (options.file.isEmpty())
         return carryOut(window, options) ? execute() : kUnusable;
-    // The commands are about what the file holds.
+    // The commands apply to the content of the file, so they wait until it is open.
     QObject::connect(
         &session.document(), &DocumentHub::opened, &window,
         [&] {

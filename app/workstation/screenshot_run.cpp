@@ -16,7 +16,7 @@ namespace {
 constexpr int kSettleMs = 700;
 constexpr int kLimitMs = 180'000;
 constexpr int kFailed = 3;
-constexpr int kSmallestFile = 0; ///< "quality" of a PNG: how much it is not compressed
+constexpr int kSmallestFile = 0; ///< the "quality" of a PNG: 0 is the strongest compression
 const QString kView = QStringLiteral("view");
 } // namespace
 
@@ -40,7 +40,7 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const ScreenshotRequest& reques
         m_settle.start(); // the start page
 }
 
-/// A panel is shown in a window of its own, which alone can have any size; null where there is no such panel.
+/// Shows a panel in a separate window, because only that can have any size; null if there is no such panel.
 QWidget* ScreenshotRun::shownAlone(const QString& panel, QSize size) {
     if (panel == kView) {
         for (QDockWidget* dock : m_window.findChildren<QDockWidget*>())
@@ -60,7 +60,7 @@ QWidget* ScreenshotRun::shownAlone(const QString& panel, QSize size) {
 void ScreenshotRun::look(const FramePtr& frame) {
     Session& session = m_window.session();
     if (session.program().isForeign())
-        m_settle.start(); // there is no frame of it
+        m_settle.start(); // no frame will arrive
     if (!frame || session.program().isReading())
         return;
     const std::size_t wanted =
@@ -74,7 +74,7 @@ void ScreenshotRun::look(const FramePtr& frame) {
 }
 
 void ScreenshotRun::take() {
-    if (!m_shown->isVisible()) { // a panel that was behind another tab fills itself when it is shown
+    if (!m_shown->isVisible()) { // a panel that was behind another tab updates itself when it is shown
         m_shown->show();
         m_settle.start();
         return;

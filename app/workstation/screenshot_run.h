@@ -14,17 +14,17 @@
 
 namespace proveout {
 
-/// What a screenshot shows, and where it is saved.
+/// The content of a screenshot, and its file.
 struct ScreenshotRequest {
     QString file;                     ///< PNG
-    std::optional<std::size_t> block; ///< none: the end of the program
-    /// One panel alone, by the name of its page in the user guide ("setup", "view"); empty: the whole window.
+    std::optional<std::size_t> block; ///< empty: the end of the program
+    /// A single panel, by the name of its page in the user guide ("setup", "view"); empty: the whole window.
     QString panel;
-    QSize size; ///< of what is shown; empty: as it comes
+    QSize size; ///< of the content; empty: the default size
 };
 
-/// Takes a picture of the window as soon as the wanted block is drawn, then ends the application: exit code
-/// 0, or 3 and the reason on standard error where that did not happen in time.
+/// Takes a screenshot as soon as the requested block is drawn, then quits the application: exit code 0, or 3
+/// with the reason on stderr if that was not possible in time.
 class ScreenshotRun final : public QObject {
     Q_OBJECT
 
@@ -39,9 +39,9 @@ private:
 
     MainWindow& m_window;
     ScreenshotRequest m_request;
-    QPointer<QWidget> m_shown; ///< null: there is no such panel
+    QPointer<QWidget> m_shown; ///< null: the panel does not exist
     bool m_sought = false;
-    QTimer m_settle; ///< layout and paint are over when no other frame came for a moment
+    QTimer m_settle; ///< layout and painting are complete when no frame has arrived for a moment
     QTimer m_limit;
 };
 

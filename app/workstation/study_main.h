@@ -3,8 +3,8 @@
 
 namespace proveout {
 
-/// `proveout study …`: the command of proveout-cli with a renderer to measure and a painter for PNG. Needs a
-/// QGuiApplication. Returns the exit code.
+/// `proveout study …`: the command of proveout-cli with a renderer for measuring and a painter for PNG. Needs
+/// a QGuiApplication. Returns the exit code.
 [[nodiscard]] int studyMain(int argc, char** argv);
 
 } // namespace proveout

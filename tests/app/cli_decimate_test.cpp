@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 class CliDecimate : public CommandLine {
 protected:
-    /// A bowl of `columns` × `rows` points, absolute heights round 100 mm.
+    /// A bowl of `columns` × `rows` points, absolute heights around 100 mm.
     void writeBowl(const std::string& name, int columns, int rows) {
         NpyArray array{rows, columns, {}};
         for (int j = 0; j < rows; ++j)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files of both commands that write them.
+// Mesh files of the two commands that write them.
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <map>
@@ -17,7 +17,7 @@ protected:
     void SetUp() override { write("p.nc", kSound); }
     Finished simulate(const std::string& more) { return run("simulate p.nc" + kStock + kTool + more); }
 
-    /// A slot on a stock far out, where float32 has steps of 1/32 mm.
+    /// A slot in a stock far from the origin, where the step of float32 is 1/32 mm.
     Finished simulateFarOut(const std::string& more) {
         write("far.nc", "T1 M6\nG0 X2000005 Y5 Z5\nG1 Z-2 F100\nX2000030\nG0 Z5\nM30\n");
         return run("simulate far.nc --stock 40x30x10 --grid 0.5 --stock-origin 2000000.05,0,0" + kTool +
@@ -86,12 +86,12 @@ TEST_F(CliExport, UnknownEndingsAreRefusedBeforeTheWork) {
     }
 }
 
-/// How large a decimated mesh gets is found out by writing it.
+/// The size of a decimated mesh is known only after writing it.
 TEST_F(CliExport, AFileThatOutgrowsTheDiskKeepsNoOtherBack) {
     ASSERT_EQ(simulate("--export a.obj --export b.3mf").exitCode, 0);
     const std::size_t larger = read("a.obj").size();
     const std::size_t smaller = read("b.3mf").size();
-    constexpr std::size_t kUnit = 512; // of ulimit
+    constexpr std::size_t kUnit = 512; // block size of ulimit
     ASSERT_GT(larger, smaller + 2 * kUnit);
     std::filesystem::remove(folder / "a.obj");
     std::filesystem::remove(folder / "b.3mf");

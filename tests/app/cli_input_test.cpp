@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bad input: each has a message with its place and its exit code.
+// Bad input: each case has a message with its location, and its exit code.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sstream>
@@ -60,7 +60,7 @@ TEST_F(CliInput, AProgramOfAnotherControlIsNamedOnce) {
     EXPECT_THAT(done.out, HasSubstr("for one of these dialects: LinuxCNC, Fanuc, Haas"));
     EXPECT_EQ(run("interpret p.nc").err, sentence);
     EXPECT_EQ(run("interpret p.nc").exitCode, 3);
-    // Whoever names a dialect has it read.
+    // An explicit dialect makes the program acceptable.
     const auto read = run("simulate p.nc --dialect linuxcnc" + kStock + kTool);
     EXPECT_EQ(read.exitCode, 2);
     EXPECT_THAT(read.err, testing::Not(HasSubstr("dialect-foreign")));
@@ -131,7 +131,7 @@ TEST_F(CliInput, AToolOfACommentIsUsedAndWhatItFindsIsUnverified) {
             EXPECT_EQ(tool["line"], 1);
             EXPECT_EQ(tool["comment"], "T7 D=4. CR=0. - FLAT END MILL");
         }
-    // The same tool, stated by the user.
+    // The same tool, defined by the user.
     const auto given = simulate(program, "--json --tool 7=flat:d=4");
     EXPECT_EQ(given.exitCode, 1) << given.err;
     EXPECT_TRUE(given.reports("p.nc:5:1: fault: ", "rapid-cuts")) << given.err;
@@ -210,7 +210,7 @@ TEST_F(CliInput, BrokenToolTablesNameTheirPlace) {
 }
 
 TEST_F(CliInput, ProgramsNeedNotBeUtf8) {
-    // Latin-1: what stands in comments is nobody's business, elsewhere the byte is told.
+    // Latin-1: in comments it is ignored, elsewhere the byte is reported.
     const auto fine =
         simulate("(Fr\xe4ser \xd8 4)\nT1 M6\nG0 X5 Y5 Z5 ; \374ber\nG1 Z-2 F100\nM30\n", "--json");
     EXPECT_EQ(fine.exitCode, 0) << fine.err;

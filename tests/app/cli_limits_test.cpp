@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A few bytes that order more than anybody waits for: each is refused with a message and its place, in about
-// a second and within a gigabyte.
+// A few bytes that request an enormous amount of work: each is refused with a message and its location,
+// within about a second and a gigabyte.
 #include <cctype>
 #include <gtest/gtest.h>
 #include <string>
@@ -12,7 +12,7 @@ namespace proveout {
 namespace {
 
 constexpr double kMostBytes = 1e9;
-constexpr double kMostSeconds = 20; ///< of the processor: it takes one, and much longer where nothing ends it
+constexpr double kMostSeconds = 20; ///< CPU time: it takes one second, and much longer if nothing limits it
 
 struct Attack {
     const char* name;

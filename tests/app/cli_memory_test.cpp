@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The memory that is asked first is the memory that is taken: no peak beyond 1.2 times the prediction.
+// The memory forecast is reliable: no peak exceeds 1.2 times the forecast.
 #include <algorithm>
 #include <fmt/format.h>
 #include <random>
@@ -15,7 +15,7 @@
 namespace proveout {
 namespace {
 
-/// The program with its libraries, whatever the size of the map.
+/// Memory of the program with its libraries, independent of the size of the map.
 constexpr double kProgram = 12e6;
 
 class CliMemory : public CommandLine {
@@ -41,7 +41,7 @@ protected:
         EXPECT_LE(done.json()["peakBytes"].get<double>(), 1.2 * prediction + kProgram) << prediction;
     }
 
-    /// A map of which no triangle can be removed.
+    /// A map from which no triangle can be removed.
     void writeNoise(int points) {
         std::mt19937 random(1);
         NpyArray noise{points, points, std::vector<double>(static_cast<std::size_t>(points) * points)};
@@ -102,7 +102,7 @@ TEST_F(CliMemory, IsWithinTheForecastOfTheRunItself) {
     }
 }
 
-/// `ulimit -v` with so many megabytes beside what the threads reserve.
+/// `ulimit -v` with the given megabytes in addition to what the threads reserve.
 std::string addressLimit(unsigned megabytes) {
     constexpr unsigned kThread = 80;
     const unsigned threads = std::max(1U, std::thread::hardware_concurrency());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written: refused before the work where it cannot be, and reported where it fails in the end.
+// Output files: refused before the work if they cannot be written, and reported if writing fails in the end.
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Every option of `simulate` that names a file to be written, with what it needs.
+/// Every option of `simulate` that names an output file, with the other options that it needs.
 const std::vector<std::string> kFileOptions{"--stl",
                                             "--export",
                                             "--zmap",
@@ -29,7 +29,7 @@ const std::vector<std::string> kFileOptions{"--stl",
 
 class CliOutputs : public CommandLine {
 protected:
-    /// Its error would be reported if it were interpreted.
+    /// The faulty line would be reported if the program was interpreted.
     void SetUp() override { write("p.nc", "G777\n" + kSound); }
     Finished simulate(const std::string& more, const std::string& before = {}) {
         return run("simulate p.nc --json --stock 40x30x10" + kTool + more, before);
@@ -84,11 +84,11 @@ TEST_F(CliOutputs, LeaveNothingBehindThatWasOnlyChecked) {
     EXPECT_EQ(folder.entries(), before + 2) << "stdout.txt and stderr.txt";
 }
 
-/// 801 × 601 points: a full mesh of 960,000 triangles, at 50 bytes each.
+/// 801 × 601 points: a full mesh of 960,000 triangles at 50 bytes each.
 TEST_F(CliOutputs, SpaceForTheForecastIsAskedBeforeTheWork) {
     write("p.nc", kSound);
     const auto reported = [this](const std::string& more) {
-        const auto done = simulate("--grid 0.05 " + more, "ulimit -f 2000;"); // units of 512 bytes
+        const auto done = simulate("--grid 0.05 " + more, "ulimit -f 2000;"); // in units of 512 bytes
         EXPECT_EQ(done.exitCode, 3) << more;
         EXPECT_FALSE(done.json().contains("removedMm3")) << more;
         return done.err;
@@ -109,7 +109,7 @@ TEST_F(CliOutputs, SpaceForTheForecastIsAskedBeforeTheWork) {
     EXPECT_FALSE(done.json().contains("facesOut"));
 }
 
-/// On a disk of 3 MB there is space for one map of 1.9 MB.
+/// A disk of 3 MB has space for one map of 1.9 MB.
 TEST_F(CliOutputs, SpaceIsAskedForAllTogether) {
     write("p.nc", kSound);
     std::filesystem::create_directory(folder / "disk");
@@ -150,7 +150,7 @@ TEST_F(CliOutputs, AStandardOutputThatCannotBeWrittenIsAMessage) {
     for (int i = 0; i < 5000; ++i)
         program += fmt::format("G1 X{} Y0 Z0 F100\n", i);
     write("p.nc", program + "M30\n");
-    // A pipe that nobody reads any more.
+    // A pipe whose reading end is closed.
     constexpr int kShellCanName = 9;
     int pipe[2];
     ASSERT_EQ(::pipe(pipe), 0);
@@ -167,7 +167,7 @@ TEST_F(CliOutputs, AStandardOutputThatCannotBeWrittenIsAMessage) {
             EXPECT_TRUE(
                 done.reports("proveout-cli: error: Cannot write to standard output", "output-unwritable"))
                 << arguments << " >" << out << done.err;
-            if (!arguments.starts_with("interpret")) { // which finds out too late why
+            if (!arguments.starts_with("interpret")) { // it detects the reason too late
                 EXPECT_THAT(done.err, HasSubstr(why)) << arguments << " >" << out;
             }
         }
@@ -175,7 +175,7 @@ TEST_F(CliOutputs, AStandardOutputThatCannotBeWrittenIsAMessage) {
     ::close(kShellCanName);
 }
 
-/// For example of a variable that a script has never set.
+/// For example from a script variable that was never set.
 TEST_F(CliOutputs, EmptyValuesAreUsageErrors) {
     write("p.nc", kSound);
     std::vector<std::string> options = kFileOptions;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of files and set-ups, by their numbers in the list of promises, with the real binary.
+// Faults of files and setups, by their numbers in the list of guarantees, with the real binary.
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ using testing::Not;
 
 class Reliability : public CommandLine {};
 
-/// A file name as the shell takes it whatever it holds.
+/// A file name quoted for the shell, whatever it contains.
 std::string quoted(const std::string& name) {
     return " '" + name + "' ";
 }
@@ -30,8 +30,8 @@ TEST_F(Reliability, Fault01EmptyProgramsAreUnverified) {
     EXPECT_EQ(run("interpret p.nc").exitCode, 2);
 }
 
-/// Of all names that a program may have: short ones, and as long as they fit into a line, where the text
-/// itself takes a quarter.
+/// The names that a program may use: short ones, and the longest that fit into a line, where the text itself
+/// needs a quarter of the memory.
 TEST_F(Reliability, Fault13NamesTakeLittleMemory) {
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "sanitizers take memory of their own";
@@ -48,7 +48,7 @@ TEST_F(Reliability, Fault13NamesTakeLittleMemory) {
         return done.json()["peakBytes"].get<double>();
     };
     EXPECT_LT(peak(0), 50e6);
-    constexpr std::size_t kLonger = 240; // in lines of 252 characters, all that LinuxCNC reads
+    constexpr std::size_t kLonger = 240; // in lines of 252 characters, the most that LinuxCNC reads
     EXPECT_LT(peak(kLonger), 50e6 + 4.0 * kNames * kLonger);
 }
 
@@ -100,7 +100,7 @@ TEST_F(Reliability, Fault38StrangeFileNames) {
         EXPECT_EQ(done.exitCode, 2) << name;
         EXPECT_THAT(done.out, HasSubstr("\"rapid\"")) << name;
         EXPECT_THAT(done.err, HasSubstr(":2:1: error: G777")) << name;
-        // One line a message, and nothing that a terminal obeys.
+        // One line per message, without control characters that affect a terminal.
         EXPECT_THAT(done.err, Not(HasSubstr("line\nbreak"))) << done.err;
         EXPECT_THAT(done.err, Not(HasSubstr("\xe2\x80\xae"))) << done.err;
         EXPECT_THAT(done.err, Not(HasSubstr("\xff"))) << done.err;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every row of setup, decimation and machine is an option, whose help has the text and the unit of the row.
+// Every row of setup, decimation and machine is an option whose help contains the text and the unit of the
+// row.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -13,13 +14,13 @@ namespace {
 
 class CliRows : public CommandLine {
 protected:
-    /// The entry of an option in the help of a command: its own line, and its text, which may have the next.
+    /// The entry of an option in the help of a command: its line and its text, which may be on the next line.
     std::string entry(const std::string& help, const std::string& option) {
         const std::size_t at = help.find("  " + option + ' ');
         const std::size_t next = help.find("\n  --", at);
         return at == std::string::npos ? std::string() : help.substr(at, next - at);
     }
-    /// Whether the option of a row is there with its text, its unit and its range.
+    /// Expects the option of a row with its text, its unit and its range.
     template<class Value>
     void expectDescribed(const std::string& help, const Value& value, const Field& field) {
         bool on = false;

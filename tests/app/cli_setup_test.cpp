@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The setup of a run: tool and position at start, automatic grid, position of the stock.
+// The setup of a run: start tool and position, automatic grid, position of the stock.
 #include <algorithm>
 #include <gmock/gmock.h>
 
@@ -90,7 +90,7 @@ TEST_F(CliSetup, TheGridIsAutomaticUntilOneIsGiven) {
     const double points = grid["nx"].get<double>() * grid["ny"].get<double>();
     EXPECT_GE(points, 0.98e6);
     EXPECT_LE(points, 4e6);
-    // The same spacing given is the same surface.
+    // The same spacing as an explicit option gives the same surface.
     const auto given = simulate("p.nc", "--grid " + grid["spacing"].dump() + kTool).json();
     EXPECT_EQ(given["grid"]["automatic"], false);
     EXPECT_EQ(given["grid"]["nx"], grid["nx"]);

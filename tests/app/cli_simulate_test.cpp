@@ -112,7 +112,7 @@ TEST_F(CliSimulate, RecordsReportWhatEachBlockCutAndItsTotals) {
     EXPECT_EQ(value(3, "cuts"), 1);
     EXPECT_EQ(value(3, "feedLengthMm"), 25);
     EXPECT_NEAR(value(3, "radialEngagementMm"), 3,
-                0.01); // the rim of 4 mm, where nothing is removed, left out
+                0.01); // except for the rim of 4 mm, where nothing is removed
     EXPECT_NEAR(value(3, "rateMm3PerMin"), value(3, "removedMm3") / 25 * 100, 1e-6);
     EXPECT_EQ(rows[5].at(column("rateMm3PerMin")), ""); // a rapid
     double removed = 0;
@@ -167,7 +167,8 @@ TEST_F(CliSimulate, AProgramWhoseHeightIsNeverKnownIsUnverified) {
 }
 
 TEST_F(CliSimulate, RemovedVolumeIsThatOfTheCut) {
-    // A level slot of a 4 mm ball, 2 mm deep: half a disc times its length, and a quarter ball at each end.
+    // A horizontal slot by a 4 mm ball, 2 mm deep: half a disc times its length, and a quarter ball at each
+    // end.
     write("slot.nc", "T1 M6\nG0 X10 Y15 Z5\nG1 Z-2 F100\nX30\nG0 Z5\n");
     const auto done = run("simulate slot.nc --stock 40x30x10 --grid 0.1 --json" + kTool);
     const double half = M_PI * 2 * 2 / 2;
@@ -192,9 +193,9 @@ TEST_F(CliSimulate, ZMapHasAbsoluteHeightsRowZeroAtTheLeastY) {
     const auto at = [&](double x, double y) {
         return heights->values[static_cast<std::size_t>(std::lround(y / 0.5) * 81 + std::lround(x / 0.5))];
     };
-    EXPECT_NEAR(at(15, 5), -2, 1e-5); // the slot lies along y = 5
+    EXPECT_NEAR(at(15, 5), -2, 1e-5); // the slot is along y = 5
     EXPECT_NEAR(at(15, 25), 1, 1e-5);
-    EXPECT_NEAR(at(25, 0), -2, 1e-5); // the arc dips below the slot, clockwise
+    EXPECT_NEAR(at(25, 0), -2, 1e-5); // the clockwise arc extends below the slot
 }
 
 TEST_F(CliSimulate, SolidIsClosedAndDecimatedWhateverThePeriod) {
@@ -207,7 +208,7 @@ TEST_F(CliSimulate, SolidIsClosedAndDecimatedWhateverThePeriod) {
     const auto triangles = [this](const std::string& name) {
         const auto mesh = readStl(folder / name);
         EXPECT_TRUE(mesh) << name;
-        // Closed: each directed edge has its opposite, once.
+        // Closed: each directed edge has exactly one opposite edge.
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
         for (const auto& t : mesh->triangles)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -241,7 +242,7 @@ TEST_F(CliSimulate, AnStlFarFromTheOriginIsRefusedOrItsRoundingCounted) {
     EXPECT_FALSE(exists("a.stl"));
     write("above.nc", "T1 M6\nG0 X5 Y5 Z100050\n");
     const auto far = run("simulate above.nc --stock-origin 0,0,100000.002" + grid);
-    // Steps of float32 are 1/128 mm there.
+    // The step of float32 is 1/128 mm there.
     EXPECT_NEAR(far.json()["largestErrorMm"], std::abs(100000.002 - 100000.0), 1e-6);
     EXPECT_EQ(run("simulate p.nc" + grid).json()["largestErrorMm"], 0);
 }
@@ -345,7 +346,7 @@ TEST_F(CliSimulate, ToolTableAndToolOptionMeanTheSame) {
     EXPECT_EQ(one["removedMm3"],
               run("simulate p.nc --json --tool T1=ball:d=4,l=20" + kStock).json()["removedMm3"]);
     const auto two = run("simulate p.nc --json --tools t.toml --tool 1=ball:d=6,l=20" + kStock).json();
-    EXPECT_GT(two["removedMm3"], one["removedMm3"]); // the option outranks the table
+    EXPECT_GT(two["removedMm3"], one["removedMm3"]); // the option takes precedence over the table
 }
 
 TEST_F(CliSimulate, BlockDeleteAndStart) {

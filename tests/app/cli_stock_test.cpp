@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stock of every shape, and from one set-up to the next.
+// Stock of every shape, and passed from one setup to the next.
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -39,7 +39,7 @@ TEST_F(CliStock, ACylinderIsCutAndExported) {
     ASSERT_EQ(done.exitCode, 0) << done.err;
     EXPECT_EQ(done.json()["grid"]["nx"], 301);
     EXPECT_EQ(done.json()["removedMm3"], 0);
-    // The solid as stock: the same again, and nothing under it.
+    // The solid used as stock: the same heights again, without undercuts.
     const auto again = simulate("stl:file=c.stl", "--grid 0.1 --zmap z.npy", "above.nc");
     ASSERT_EQ(again.exitCode, 0) << again.err;
     const auto map = readNpy(folder / "z.npy").value();
@@ -60,14 +60,14 @@ TEST_F(CliStock, AnOutlineOfABoxIsTheBox) {
 TEST_F(CliStock, TheNextSetupContinuesWhereThisOneEnds) {
     const auto first = simulate("40x30x10", "--grid 0.5 --save-stock one.pvstock --zmap one.npy");
     ASSERT_EQ(first.exitCode, 0) << first.err;
-    // The same program again finds nothing left, on the grid that the file tells.
+    // The same program again removes nothing, on the grid stored in the file.
     const auto again = simulate("file:file=one.pvstock", "--zmap two.npy");
     ASSERT_EQ(again.exitCode, 0) << again.err;
     EXPECT_EQ(again.json()["removedMm3"], 0);
     for (const char* key : {"nx", "ny", "hx", "hy", "spacing"})
         EXPECT_EQ(again.json()["grid"][key], first.json()["grid"][key]) << key;
     EXPECT_EQ(read("two.npy"), read("one.npy"));
-    // In a job, and by another name where it lies elsewhere.
+    // In a job, and at another path if the job is elsewhere.
     write("j.proveout", R"({"proveout": 1, "program": "p.nc", "tools": {"1": "ball:d=4,l=20"},
                             "stock": {"shape": "file", "file": "one.pvstock", "turn": "180"}})");
     const auto turned = run("simulate --job j.proveout --json");

@@ -15,7 +15,7 @@ class CliStudy : public CommandLine {
 protected:
     void SetUp() override { write("a.nc", kSound); }
     Finished study(const std::string& more) { return run("study a.nc" + kStock + kTool + more); }
-    /// Lines of a table, without its head.
+    /// The lines of a table, without its header.
     std::size_t rows(const std::string& name) {
         std::istringstream text(read(name));
         std::size_t count = 0;
@@ -80,7 +80,7 @@ TEST_F(CliStudy, RefusesWhatMakesNoSense) {
     EXPECT_EQ(run("study none.nc" + kStock + kTool + "--sweep region").exitCode, 3);
     write("file", "in the way");
     EXPECT_EQ(study("--sweep period --out file/below").exitCode, 3);
-    const auto unwritable = study("--sweep period --out /sys"); // for root too
+    const auto unwritable = study("--sweep period --out /sys"); // also unwritable for root
     EXPECT_EQ(unwritable.exitCode, 3);
     EXPECT_THAT(unwritable.err, Not(HasSubstr("runs"))) << "told before the runs, not after them";
 }

@@ -32,7 +32,7 @@ Finished CommandLine::runWithin(std::size_t bytes, const std::string& arguments)
 
 namespace {
 
-/// The least and the worst exit code.
+/// The mildest and the most severe exit code.
 using Effects = std::pair<ExitEffect, ExitEffect>;
 
 ExitEffect leastEffect(const FindingTable& table, const FindingRow& row) {
@@ -43,7 +43,7 @@ ExitEffect worstEffect(const FindingTable& table, const FindingRow& row) {
     return row.severityRule == SeverityRule::worstOmitted ? ExitEffect::faults : exitEffect(table, row);
 }
 
-/// Of the rows of an id, which may differ; of an id without a row, an impossible pair.
+/// The effects of all rows with an id, which may differ; an impossible pair if the id has no row.
 Effects effectsOfId(std::string_view id) {
     Effects found{ExitEffect::unusable, ExitEffect::none};
     for (const FindingTable& table : findingTables()) {
@@ -58,7 +58,7 @@ Effects effectsOfId(std::string_view id) {
     return found;
 }
 
-/// What the messages of `err` lead to, by the table of findings.
+/// The exit codes that the messages in `err` permit, by the table of findings.
 Effects effectsOf(const std::string& err) {
     Effects found{ExitEffect::none, ExitEffect::none};
     std::istringstream lines(err);
@@ -72,7 +72,7 @@ Effects effectsOf(const std::string& err) {
     return found;
 }
 
-/// A program may be unverified without a message, e.g. where it was not simulated to its end.
+/// A program may be unverified without a message, e.g. if it was not simulated to its end.
 void expectListedExitCode(const Finished& finished, const std::string& command) {
     if (finished.exitCode < 0 || finished.exitCode > static_cast<int>(ExitEffect::unusable))
         return;

@@ -17,14 +17,14 @@ bool redirect(const char* file, int flags, int descriptor) {
     return ::dup2(::open(file, flags, 0600), descriptor) >= 0;
 }
 
-/// In the child: replaces it by the program. Nothing is allocated between fork and here.
+/// Runs in the child: replaces it by the program. Nothing is allocated between fork and here.
 [[noreturn]] void become(const std::filesystem::path& folder, const std::vector<char*>& arguments,
                          unsigned longestSeconds) {
     constexpr int kFresh = O_WRONLY | O_CREAT | O_TRUNC;
     const bool ready = ::chdir(folder.c_str()) == 0 && redirect("/dev/null", O_RDONLY, STDIN_FILENO) &&
                        redirect("out.json", kFresh, STDOUT_FILENO) &&
                        redirect("err.txt", kFresh, STDERR_FILENO);
-    ::alarm(longestSeconds); // it outlives the change of program
+    ::alarm(longestSeconds); // the alarm stays active across exec
     if (ready)
         ::execv(arguments.front(), arguments.data());
     ::_exit(127);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real program in a process of its own, measured by the system.
+// Runs the real program in a process of its own, measured by the system.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 namespace proveout {
 
 struct MeasuredRun {
-    int exitCode = 0; ///< below 0: the signal that ended it
+    int exitCode = 0; ///< negative: the signal that ended it
     double seconds = 0;
     double cpuSeconds = 0; ///< of all its threads
-    double peakBytes = 0;  ///< resident
+    double peakBytes = 0;  ///< resident memory
 };
 
-/// Runs `words`, the program first, in `folder`. What it writes stands there in `out.json` and `err.txt`. It
-/// is ended after `longestSeconds`; 0: never. Throws where it cannot be started.
+/// Runs `words`, the program first, in `folder`. Its output is written there to `out.json` and `err.txt`. It
+/// is killed after `longestSeconds`; 0: never. Throws if it cannot be started.
 [[nodiscard]] MeasuredRun runMeasured(std::vector<std::string> words, const std::filesystem::path& folder,
                                       unsigned longestSeconds = 0);
 

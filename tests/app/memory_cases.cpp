@@ -79,7 +79,8 @@ void addRecordsAndBoxes(std::vector<MemoryCase>& cases) {
                                          "--box-spacing 0.02 --box-stl b.stl")});
 }
 
-/// Maps on which nothing can be removed, and those on which most of a solid is walls and pinched vertices.
+/// Maps from which nothing can be removed, and maps whose solids consist mostly of walls and pinched
+/// vertices.
 void addHardMaps(std::vector<MemoryCase>& cases) {
     for (const char* method : {"certified", "lee", "global", "none"})
         cases.push_back(
@@ -161,8 +162,8 @@ void writeMemoryInputs(const std::filesystem::path& folder) {
     const auto onFloorUnless = [&](bool above) { return above ? height(random) : 0.0; };
     writeMap(folder / "noise.npy", kPoints, [&](int, int) { return height(random); });
     writeMap(folder / "ruin.npy", kPoints, [&](int, int) { return onFloorUnless(random() % 2 == 0); });
-    // Points with four triangles, every other of which is above the floor: what is left are diamonds that
-    // touch each other with their four corners.
+    // Of the points with four triangles every other one is above the floor, which leaves diamonds that touch
+    // each other at their four corners.
     writeMap(folder / "diamonds.npy", kPoints,
              [&](int i, int j) { return onFloorUnless((i + j) % 2 == 1 && i % 2 == 0); });
     writeMap(folder / "squares.npy", kPoints,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rules of the house, read from the sources themselves: who may include whom, and what no file may hold.
+// The architecture rules, checked in the sources: which folder may include which, and what no file may
+// contain.
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -18,7 +19,7 @@ namespace {
 
 const std::set<std::string> kTopFolders{"app", "core", "resources", "tests", "ui"};
 
-/// What a room of the core may include of the others. A path ends in ".h" where one header alone is allowed.
+/// The other rooms that a room of the core may include. A path that ends in ".h" permits only that header.
 const std::map<std::string, std::set<std::string>> kCoreRooms{
     {"core/base", {}},
     {"core/nc", {"core/base"}},
@@ -39,7 +40,7 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
       "core/simulation", "core/study", "core/formats"}},
 };
 
-/// The rooms within a room, the lowest first: each may include those before it.
+/// The rooms within a room, lowest first: each may include those before it.
 const std::map<std::string, std::vector<std::string>> kRoomsWithin{
     {"core/nc",
      {"text", "codes", "program", "geometry", "state", "motions", "cycles", "handlers", "flow", "run"}},
@@ -49,10 +50,10 @@ const std::map<std::string, std::vector<std::string>> kRoomsWithin{
     {"core/verification", {"findings"}},
 };
 
-/// The rooms that panels share, the lowest first: each may include those before it.
+/// The rooms that panels share, lowest first: each may include those before it.
 const std::vector<std::string> kSharedRooms{"ui/look",    "ui/work",    "ui/document", "ui/program",
                                             "ui/session", "ui/readout", "ui/files"};
-/// The room of the window, which holds the panels and knows all of them.
+/// The room of the window, which contains the panels and may include all of them.
 const std::string kWindow = "ui/window";
 
 bool isQt(const Include& include) {
@@ -73,12 +74,12 @@ std::string place(const SourceFile& file, const Include& include) {
     return file.path + ":" + std::to_string(include.line) + ": includes " + include.target;
 }
 
-/// The folder of `path` two levels deep, as SourceFile::room() gives it.
+/// The folder of `path` two levels deep, like SourceFile::room().
 std::string roomOf(const std::string& path) {
     return SourceFile{path, {}, {}}.room();
 }
 
-/// Fails for each include outside of the tests that `wrong` names.
+/// Fails for each include outside the tests for which `wrong` returns a reason.
 template<class Wrong>
 void forbid(const Wrong& wrong) {
     for (const SourceFile& file : sourceTree())
@@ -87,7 +88,7 @@ void forbid(const Wrong& wrong) {
 }
 
 TEST(Architecture, SeesTheTree) {
-    // A rule that reads nothing would hold for ever.
+    // A check that reads no file would always pass.
     std::size_t includes = 0;
     for (const SourceFile& file : sourceTree())
         includes += file.includes.size();
@@ -156,8 +157,7 @@ TEST(Architecture, RoomsOfTheCoreIncludeOnlyRoomsAboveThem) {
     }
 }
 
-/// Where the room of a path stands in the order of those within `room`; their number where it is none of
-/// them.
+/// The level of a path's room among those within `room`; their number if it is none of them.
 std::size_t levelOf(const std::string& path, const std::string& room, const std::vector<std::string>& order) {
     const SourceFile file{path, {}, {}};
     return static_cast<std::size_t>(
@@ -182,8 +182,7 @@ TEST(Architecture, RoomsWithinARoomLookDownOnly) {
     }
 }
 
-/// The place of a room in the order of those that panels share; their number where it is a panel or the
-/// window.
+/// The level of a room among those that panels share; their number if it is a panel or the window.
 std::size_t sharedLevel(const std::string& room) {
     return static_cast<std::size_t>(std::ranges::find(kSharedRooms, room) - kSharedRooms.begin());
 }
@@ -262,7 +261,7 @@ TEST(Architecture, EverySourceIsBuilt) {
     for (const SourceFile& file : sourceTree()) {
         if (!file.path.ends_with(".cpp"))
             continue;
-        // Listed in its own folder, or with its folder in one above; some lists add the ".cpp" themselves.
+        // Listed in its own folder, or with its folder in one above; some lists add ".cpp" themselves.
         bool listed = false;
         std::string folder = file.path.substr(0, file.path.size() - std::string_view(".cpp").size());
         std::string name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large a class may grow, counted over all its files: a class that is cut into files but not into classes
-// is as hard to read as before.
+// The maximum size of a class, counted over all its files: splitting a class into files without splitting the
+// class does not make it easier to read.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -24,22 +24,22 @@ struct ClassSize {
     std::size_t signals = 0;
 };
 
-/// By name; that of a class within a class has both names: "CallStack::Level".
+/// By name; a nested class has both names: "CallStack::Level".
 using ClassSizes = std::map<std::string, ClassSize>;
 
 constexpr ClassSize kBudget{400, 30, 10};
-/// Of a hub of the session: a class that every panel may call must not become the room of everything.
+/// For a hub of the session: a class that every panel may use must not collect everything.
 constexpr ClassSize kHubBudget{300, 15, 10};
 
-/// The classes that are larger today. A number here may become smaller and nothing else; a class that keeps
-/// the budget has no row.
+/// The classes that exceed the budget today. A number here may only be reduced; a class within the budget has
+/// no row.
 const ClassSizes kLarger{
     {"NcEditor", {.lines = 435}},
     {"PlotView", {.lines = 449}},
     {"Program", {.lines = 458}},
 };
 
-/// The text with blanks in the place of comments, of what strings hold, and of directives; lines stay.
+/// The text with comments, string contents and directives replaced by blanks; line breaks stay.
 std::string codeOf(std::string_view text) {
     std::string code(text);
     const auto blank = [&](std::size_t begin, std::size_t end) {
@@ -73,7 +73,7 @@ std::string codeOf(std::string_view text) {
     return code;
 }
 
-/// Behind the bracket that closes the one at `open`.
+/// The position after the bracket that closes the one at `open`.
 std::size_t behindClosing(const std::string& code, std::size_t open) {
     const char opens = code[open];
     const char closes = opens == '{' ? '}' : ')';
@@ -90,7 +90,7 @@ std::size_t lineCount(std::string_view code) {
     return static_cast<std::size_t>(std::ranges::count(code, '\n')) + 1;
 }
 
-/// The body of a class without what its brackets hold: bodies of functions, arguments, first values.
+/// The body of a class without the content of its brackets: bodies of functions, arguments, initial values.
 std::string outline(std::string body) {
     for (std::size_t at = 0; at < body.size(); ++at) {
         if (body[at] != '{' && body[at] != '(')
@@ -104,7 +104,7 @@ std::string outline(std::string body) {
 }
 
 std::size_t fieldCount(const std::string& outlined) {
-    // Behind a comma or a colon it is the initializer of a constructor.
+    // After a comma or a colon it is the initializer of a constructor.
     static const std::regex kField(R"([^,:\s]\s*[\s&*](m_\w+)\s*[;={\[])");
     std::set<std::string> names;
     for (std::sregex_iterator at(outlined.begin(), outlined.end(), kField), end; at != end; ++at)
@@ -121,7 +121,7 @@ std::size_t signalCount(const std::string& outlined) {
     return count;
 }
 
-/// Adds the classes that a piece of a header declares, and those within them.
+/// Adds the classes that a piece of a header declares, including nested ones.
 void addClasses(const std::string& code, const std::string& outer, ClassSizes& sizes) {
     static const std::regex kClass(
         R"(\b(enum\s+)?(?:class|struct)\s+(\w+)(?:\s+final)?\s*(?::[^;{}()]*)?\{)");
@@ -143,7 +143,7 @@ void addClasses(const std::string& code, const std::string& outer, ClassSizes& s
     }
 }
 
-/// The class whose member the head of a definition names; empty where it is none.
+/// The class whose member the head of a definition names; empty if it is not a member.
 std::string classOf(const std::string& head) {
     static const std::regex kMember(R"(((?:\w+::)*\w+)::(?:~?\w+|operator[^\w\s(]+)\s*$)");
     std::smatch found;
@@ -151,10 +151,10 @@ std::string classOf(const std::string& head) {
     return std::regex_search(name, found, kMember) ? found[1].str() : std::string();
 }
 
-/// Adds the definitions of members in a source file to their classes, where a header declares these.
+/// Adds the member definitions in a source file to their classes, if a header declares these.
 void addMembers(const std::string& code, ClassSizes& sizes) {
     static const std::regex kNamespace(R"(^\s*(?:inline\s+)?namespace\b)");
-    std::size_t begin = 0; // of a declaration
+    std::size_t begin = 0; // start of a declaration
     for (std::size_t at = 0; at < code.size(); ++at) {
         if (code[at] == ';' || code[at] == '}')
             begin = at + 1;
@@ -170,7 +170,7 @@ void addMembers(const std::string& code, ClassSizes& sizes) {
         at = behindClosing(code, at) - 1;
         const std::size_t next = code.find_first_not_of(" \n", at + 1);
         if (next != std::string::npos && (code[next] == ',' || code[next] == '{'))
-            continue; // the initializer of a member, before the body
+            continue; // a member initializer before the body
         const std::size_t first = std::min(code.find_first_not_of(" \n", begin), at);
         if (const auto size = sizes.find(classOf(head)); size != sizes.end())
             size->second.lines += lineCount(std::string_view(code).substr(first, at - first));
@@ -260,7 +260,7 @@ std::vector<Panel::Row> Panel::rows(int first) const {
 
 TEST(ClassBudget, NoClassIsLargerThanTheBudget) {
     const ClassSizes sizes = sizesOfTree();
-    EXPECT_GT(sizes.size(), 300U); // of a tree that was read
+    EXPECT_GT(sizes.size(), 300U); // ensures that the tree was read
     for (const auto& [name, size] : sizes) {
         const auto larger = kLarger.find(name);
         const ClassSize& usual = name.ends_with("Hub") ? kHubBudget : kBudget;

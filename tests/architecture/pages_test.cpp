@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the repository: what they link to is there, the pictures of the guide are small and used, and
-// each page is short enough to be read.
+// The pages of the repository: their links must exist, the pictures of the guide must be small and in use,
+// and each page must be short enough to read.
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kLongestFrontPage = 4500; // bytes
-// Two screens, whether of short lines or of long ones.
+// Two screens, with short or with long lines.
 constexpr std::ptrdiff_t kMostLines = 90;
 constexpr std::size_t kLongestPage = 9000;      // bytes
 constexpr std::size_t kLargestPicture = 60'000; // bytes; resources/help/make_pictures.sh has the same limit
@@ -43,7 +43,7 @@ std::vector<SourceFile> pages() {
     return found;
 }
 
-/// The first group of each match.
+/// The first capture group of each match.
 std::vector<std::string> matchesOf(const std::string& text, const std::regex& pattern) {
     std::vector<std::string> matches;
     for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at)
@@ -51,7 +51,7 @@ std::vector<std::string> matchesOf(const std::string& text, const std::regex& pa
     return matches;
 }
 
-/// The files of the repository that a page links to or shows, from its folder.
+/// The files of the repository that a page links to or shows, relative to its folder.
 std::vector<std::string> linksOf(const std::string& text) {
     static const std::regex kLink(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
     std::vector<std::string> links = matchesOf(text, kLink);
@@ -63,7 +63,7 @@ std::filesystem::path fileOf(const SourceFile& page, const std::string& link) {
     return (std::filesystem::path(page.path).parent_path() / link).lexically_normal();
 }
 
-/// Where a page may link to: the anchors of its headings, as GitHub makes them of ASCII.
+/// The anchors of a page's headings, as GitHub generates them for ASCII.
 std::set<std::string> anchorsOf(const std::string& text) {
     static const std::regex kHeading(R"((?:^|\n)#+ ([^\n]+))");
     std::set<std::string> anchors;
@@ -79,8 +79,8 @@ std::set<std::string> anchorsOf(const std::string& text) {
     return anchors;
 }
 
-/// The names of files and folders in backticks in the rows of a table, each from the root: one without a
-/// folder is beside the one before it. Names with a place holder are left out.
+/// The names of files and folders in backticks in the rows of a table, from the root: a name without a folder
+/// is in the folder of the one before it. Names with a placeholder are skipped.
 std::vector<std::string> pathsOfRow(const std::string& row) {
     static const std::regex kName("`([^`]+)`");
     static const std::set<std::string> kTops{"app", "core", "resources", "tests", "translations", "ui"};
@@ -133,8 +133,7 @@ TEST(Pages, LinkToHeadingsThatAreThere) {
 TEST(Pages, AreTwoScreensLong) {
     EXPECT_LT(frontPage().text.size(), kLongestFrontPage);
     for (const SourceFile& page : pages()) {
-        if (page.in("resources/help") ||
-            page.path == "translations/GLOSSARY.md") // a list to look words up in
+        if (page.in("resources/help") || page.path == "translations/GLOSSARY.md") // a reference list of words
             continue;
         EXPECT_LE(std::ranges::count(page.text, '\n'), kMostLines) << page.path;
         EXPECT_LE(page.text.size(), kLongestPage) << page.path;

@@ -8,7 +8,7 @@ namespace proveout {
 
 struct Include {
     int line = 0;
-    bool angled = false; ///< <…>, else "…"
+    bool angled = false; ///< <…> if true, "…" if false
     std::string target;
 };
 
@@ -16,15 +16,15 @@ struct Include {
 struct SourceFile {
     std::string path; ///< from the root, e.g. "core/nc/lexer.cpp"
     std::string text;
-    std::vector<Include> includes; ///< of C++ files
+    std::vector<Include> includes; ///< for C++ files
 
     [[nodiscard]] bool isCpp() const; ///< .h or .cpp
     [[nodiscard]] bool in(const std::string& folder) const { return path.starts_with(folder + "/"); }
-    /// The first `depth` parts of the path, e.g. "core/nc"; empty where the file does not lie that deep.
+    /// The first `depth` parts of the path, e.g. "core/nc"; empty if the path is shorter.
     [[nodiscard]] std::string room(int depth = 2) const;
 };
 
-/// All files below core, ui, app, resources, tests and translations, in order of their paths.
+/// All files below core, ui, app, resources, tests and translations, sorted by path.
 [[nodiscard]] const std::vector<SourceFile>& sourceTree();
 
 } // namespace proveout

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of messages, labels and pages, read from the sources: the trade's, not translated idioms.
+// The words of messages, labels and pages, read from the sources: terms of the trade and not translated
+// idioms.
 #include <array>
 #include <cctype>
 #include <cstddef>
@@ -18,11 +19,11 @@ namespace proveout {
 namespace {
 
 struct WordRule {
-    const char* pattern; ///< ECMAScript, of any case
-    const char* say;     ///< instead
+    const char* pattern; ///< ECMAScript, case-insensitive
+    const char* say;     ///< what to say instead
 };
 
-/// Only phrases that are wrong in every context, because a pattern does not know any.
+/// Only phrases that are wrong in every context, because a pattern cannot check the context.
 constexpr std::array kRules{
     WordRule{R"(\banew\b)", "again"},
     WordRule{R"(\bvouch)", "verified, guaranteed"},
@@ -83,7 +84,7 @@ constexpr std::array kRules{
     WordRule{R"(\bknown to the machine only\b)", "unknown"},
 };
 
-/// Where the literal that begins at `begin`, after its opening quote, is closed.
+/// The closing quote of the literal whose content begins at `begin`.
 std::size_t closing(std::string_view text, std::size_t begin, char quote) {
     std::size_t at = begin;
     while (at < text.size() && text[at] != quote)
@@ -95,7 +96,7 @@ bool isLetterOrDigit(char character) {
     return std::isalnum(static_cast<unsigned char>(character)) != 0;
 }
 
-/// The string literals of C++, adjoining ones as one; escape sequences stay as they are written.
+/// The string literals of C++, with adjacent ones joined; escape sequences stay as written.
 std::vector<std::string> literalsOf(std::string_view text) {
     std::vector<std::string> literals;
     bool adjoins = false;
@@ -140,9 +141,9 @@ std::vector<std::string> linesOf(const std::string& text) {
     return lines;
 }
 
-/// The texts of a file that are read by people; of literals those with a blank, as the others are keys.
+/// The texts of a file that users read; literals only if they contain a blank, as others are keys.
 std::vector<std::string> textsOf(const SourceFile& file) {
-    if (file.path.ends_with(".md") && !file.in("translations")) // the glossary has the wrong words too
+    if (file.path.ends_with(".md") && !file.in("translations")) // the glossary also lists the wrong words
         return linesOf(file.text);
     if (!file.isCpp() || !(file.in("core") || file.in("ui") || file.in("app")))
         return {};

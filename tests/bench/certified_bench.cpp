@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certified decimation of whole maps on one thread: triangles left, triangles in per second of CPU time
-// (least of several runs, borders and reading of the z-map included), and the true error, by map, allowance
-// and level; beside it meshoptimizer, region by region with locked borders, where it is installed.
+// (fastest of several runs, including borders and reading of the z-map), and the true error, by map,
+// allowance and level; for comparison meshoptimizer, region by region with locked borders, if it is
+// installed.
 //
 //     certified_bench [MAP.npy SPACING]…     without maps: those of the tests
 #ifdef PROVEOUT_MESHOPTIMIZER
@@ -58,7 +59,7 @@ double trianglesIn(const BenchMap& map) {
     return 2.0 * (map.nx - 1) * (map.ny - 1);
 }
 
-/// Seconds of meshoptimizer's simplifier alone, without building what it is given.
+/// Seconds of meshoptimizer's simplifier only, without preparing its input.
 double meshoptimizerSeconds([[maybe_unused]] const BenchMap& map, [[maybe_unused]] double allowance,
                             [[maybe_unused]] std::size_t& faces) {
 #ifdef PROVEOUT_MESHOPTIMIZER
@@ -118,8 +119,8 @@ void reportRefined(const BenchMap& map, const ZMapSnapshot& zmap, double allowan
                 error.surface);
 }
 
-/// How long regions take that a cut of 200 × 200 points has touched, over places all over the map: until they
-/// can be drawn again, on one thread.
+/// The time, on one thread, until regions touched by a cut of 200 × 200 points can be drawn again, for
+/// positions all over the map.
 void reportCuts(const BenchMap& map, const ZMapSnapshot& zmap, int region) {
     constexpr int kCut = 200;
     DecimationParameters parameters;

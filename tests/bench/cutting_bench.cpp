@@ -45,7 +45,7 @@ void cutOne(benchmark::State& state, const char* spec, Kind kind) {
     const Cutter cutter = parseCutter(spec).value();
     ZMap zmap(kStock, makeGrid(kStock, kSpacing).value());
     Motion motion = motionOf(kind);
-    // Each round goes a little deeper, so that every point under the sweep is lowered every time.
+    // Each round is slightly deeper, so that every point under the sweep is lowered each time.
     const double deeper = 1e-4;
     const auto points = static_cast<double>(cut(zmap, cutter, motion).points);
     for (auto _ : state) {
@@ -58,7 +58,7 @@ void cutOne(benchmark::State& state, const char* spec, Kind kind) {
                                                      benchmark::Counter::kIsRate);
 }
 
-/// A short block on a coarse grid, as in the samples: what one motion costs at least.
+/// A short block on a coarse grid, as in the samples: the minimum cost of a motion.
 void cutShort(benchmark::State& state, const char* spec) {
     const Cutter cutter = parseCutter(spec).value();
     ZMap zmap(kStock, makeGrid(kStock, 1).value());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// cutting_table: the tables of tests/bench/cutting.md, as Markdown, with the machine named. Every figure is
-// of a process of its own, so that its memory is its own too.
+// cutting_table: prints the tables of tests/bench/cutting.md as Markdown, with the name of the machine. Every
+// value is measured in a separate process, so that its memory can be measured too.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +26,7 @@
 namespace proveout::bench {
 namespace {
 
-/// What a child measured; plain, as it comes through a pipe.
+/// Measurements of a child process; a plain struct, because it is sent through a pipe.
 struct Figures {
     double seconds = 0;
     double processorSeconds = 0;
@@ -136,7 +136,7 @@ double processorSeconds() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Motions one by one, with records, on one thread; the best of some rounds.
+/// Motions one by one, with records, on one thread; the fastest of several rounds.
 Figures measureShape(const Cutter& cutter, Kind kind) {
     constexpr int kRounds = 5;
     constexpr int kMotions = 200;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decimation of a whole map on one thread: triangles in per second, what is left of them, and the
-// error that is measured, by map, region size, allowance and `certify`. Maps: those of the tests, 1001 × 1001
-// points at 0.1 mm, or any z-map file named by PROVEOUT_BENCH_ZMAP (NPY, spacing in PROVEOUT_BENCH_GRID).
+// Decimation of a whole map on one thread: triangles in per second, the remaining triangles, and the measured
+// error, by map, region size, allowance and `certify`. Maps: those of the tests, 1001 × 1001 points at 0.1
+// mm, or any z-map file named by PROVEOUT_BENCH_ZMAP (NPY, spacing in PROVEOUT_BENCH_GRID).
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 

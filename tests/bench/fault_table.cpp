@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fault_table [--big] [NAME…]: the command line goes through the fault table, all of it or the cases with
-// these names. Ends with 1 where a case takes more than its time (a second, mostly) or a gigabyte, or is
-// killed.
+// fault_table [--big] [NAME…]: runs the command line on all cases of the fault table, or those with these
+// names. Exits with 1 if a case exceeds its time limit (usually a second) or a gigabyte, or is killed.
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
@@ -18,7 +17,7 @@ using namespace proveout;
 
 constexpr double kMostBytes = 1e9;
 constexpr double kMegabyte = 1e6;
-/// A run that waits uses no processor: so many times its seconds are too long whoever else works here.
+/// A run that waits uses no CPU time: this factor of its time limit is too long on any machine.
 constexpr double kPatience = 5;
 constexpr int kTries = 3;
 
@@ -37,7 +36,7 @@ std::string brokenPromise(const FaultRun& run, const FaultCase& fault) {
     return run.exitCode > 3 ? "**unknown exit code**" : "";
 }
 
-/// The quickest of a few where the first one is too slow: others may work here as well.
+/// If the first run is too slow, the fastest of several, because of other load on the machine.
 FaultRun bestRun(const FaultRunner& runner, const FaultCase& fault) {
     FaultRun best = runner.run(fault);
     for (int tries = 1; tries < kTries && isSlow(best, fault); ++tries)

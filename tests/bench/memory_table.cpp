@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// memory_table [PROVEOUT-CLI]: the peak of memory of some sixty runs beside what each forecast. Ends with 1
-// where a run takes more than 1.2 times its forecast, is refused, or is killed.
+// memory_table [PROVEOUT-CLI]: compares the peak memory of some sixty runs with their forecasts. Exits with 1
+// if a run uses more than 1.2 times its forecast, is refused, or is killed.
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMegabyte = 1e6;
 
-/// A folder that goes with its files.
+/// A temporary folder, removed with its files.
 class Folder {
 public:
     Folder() {

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# run.sh [NAME…]: builds the benchmarks and runs all of them, or those named, one after the other. What NAME prints is in
-# results/figures/NAME.txt; the pages of this folder have the figures.
+# run.sh [NAME…]: builds the benchmarks and runs all of them, or those named, one after the other. The output of NAME is
+# in results/figures/NAME.txt; the pages of this folder contain the figures.
 set -euo pipefail
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 
@@ -40,7 +40,7 @@ export LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=1 LIBGL_ALWAYS_SOFTWAR
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run --auto-servernum --server-args "-screen 0 1600x1000x24")
 out="$root/results/figures"
-maps="$root/../shared/maps" # without these maps the benchmarks make their own, or are left out
+maps="$root/../shared/maps" # without these maps the benchmarks create their own, or are skipped
 given=()
 for map in m01:0.1 mo01:0.1 die025:0.25; do
     [ ! -f "$maps/${map%:*}.npy" ] || given+=("$maps/${map%:*}.npy" "${map#*:}")

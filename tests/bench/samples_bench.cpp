@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Both samples end to end, and what a user waits for: seeks, steps backward, a change of the allowance.
-// Argument: the decimation period; 0 is cutting alone.
+// Both samples from start to end, and the operations that a user waits for: seeks, steps backwards, a change
+// of the allowance. Argument: the decimation period; 0 means cutting only.
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <memory>
@@ -37,8 +37,8 @@ struct Sample {
     }
 };
 
-/// The whole run, interpretation included; frames are taken at every block where `everyBlock` (paper mode,
-/// without the drawing).
+/// The whole run, including interpretation; with `everyBlock` a frame is created at every block (paper mode
+/// without drawing).
 void runSample(benchmark::State& state, const char* name, double spacing, bool everyBlock) {
     const Sample sample(name);
     double cut = 0;
@@ -60,7 +60,7 @@ void runSample(benchmark::State& state, const char* name, double spacing, bool e
                                                     benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// Seeks to random blocks of a program that was run before.
+/// Seeks to random blocks of a program that has been run.
 void seekSample(benchmark::State& state, const char* name, double spacing) {
     const Sample sample(name);
     const auto simulation = sample.start(static_cast<int>(state.range(0)), spacing);
@@ -77,7 +77,7 @@ void seekSample(benchmark::State& state, const char* name, double spacing) {
     state.counters["largest_ms"] = milliseconds.back();
 }
 
-/// Steps backward from the end, one block at a time.
+/// Steps backwards from the end, one block at a time.
 void stepBack(benchmark::State& state, const char* name) {
     const Sample sample(name);
     const auto simulation = sample.start(static_cast<int>(state.range(0)), 1);

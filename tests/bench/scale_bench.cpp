@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// scale_bench [SPACING [WORKLOAD]]: seconds of four workloads of growing size, beside a plain loop of the
-// same formula over the same points, in one run.
+// scale_bench [SPACING [WORKLOAD]]: seconds for four workloads of growing size, compared with a plain loop of
+// the same formula over the same points, in one run.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +17,7 @@
 namespace proveout::bench {
 namespace {
 
-/// What a careful engineer writes first: motion by motion, row by row, in single precision, as vector code.
+/// The straightforward implementation: motion by motion, row by row, in single precision, as vector code.
 class PlainLoop {
 public:
     PlainLoop(const Grid& grid, float floor)
@@ -96,14 +96,14 @@ double sumOf(const ZMap& zmap) {
 
 struct Timed {
     double seconds = 0;
-    double sum = 0; ///< of all heights: that the same was done
+    double sum = 0; ///< sum of all heights, to check that the results agree
     double points = 0;
 };
 
 Timed timeSequence(const Grid& grid, const Workload& workload, const std::vector<CutterMotion>& motions,
                    std::size_t threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    ZMap zmap(stockOf(workload), grid); // its memory is touched here
+    ZMap zmap(stockOf(workload), grid); // touches its memory here
     const StopWatch watch;
     const auto records = cut(zmap, motions, {});
     Timed timed{watch.seconds(), 0, 0};

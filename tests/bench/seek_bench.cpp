@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // seek_bench [SPACING [WORKLOAD [SEEKS [MEGABYTES]]]]: what a user waits for on the timeline of a long
-// program, cutting alone: seeks to random blocks and steps back by one, after a whole run, within a budget of
-// checkpoints (the standard one); then what an edit in the last tenth costs, as a part of the first run, and
-// a box of interest in the middle.
+// program, for cutting only: seeks to random blocks and single steps back after a complete run, within a
+// memory limit for checkpoints (by default the product's); then the cost of an edit in the last tenth as a
+// share of the first run, and a detail region in the middle.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -33,7 +33,7 @@ std::shared_ptr<const Setup> setupOf(const Workload& workload, double spacing) {
 class Waits {
 public:
     void add(double seconds) { m_seconds.push_back(seconds); }
-    /// Milliseconds that so large a part of all took at most.
+    /// The time in milliseconds that the given share of all samples does not exceed.
     [[nodiscard]] double at(double part) {
         std::ranges::sort(m_seconds);
         const double last = static_cast<double>(m_seconds.size() - 1);
@@ -44,7 +44,7 @@ private:
     std::vector<double> m_seconds;
 };
 
-/// A line in the middle of the last tenth of the blocks, doubled.
+/// Duplicates a line in the middle of the last tenth of the blocks.
 std::shared_ptr<const Program> editedProgram(const std::string& text, const Program& program) {
     std::size_t at = 0;
     for (std::uint32_t line = program.blockLine(program.blockCount() * 95 / 100); line > 1; --line)
@@ -56,7 +56,7 @@ std::shared_ptr<const Program> editedProgram(const std::string& text, const Prog
 
 void measureEdit(Simulation& simulation, const std::string& text, double cutSeconds) {
     const auto edited = editedProgram(text, simulation.program());
-    simulation.seek(simulation.blockCount()); // the way to the end is no part of the edit
+    simulation.seek(simulation.blockCount()); // moving to the end is not part of the edit
     const std::size_t before = simulation.effort().blocksCut;
     const double secondsBefore = simulation.effort().cutSeconds;
     simulation.seek(simulation.noteProgram(edited));

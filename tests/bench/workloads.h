@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finishing programs of growing size, for measurements: a ball-end mill goes to and fro over a wavy surface.
+// Finishing programs of growing size for measurements: a ball-end mill moves back and forth over a wavy
+// surface.
 #pragma once
 
 #include <span>
@@ -15,16 +16,16 @@ struct Workload {
     double width; ///< mm, of the stock
     double depth;
     double diameter;
-    int lines;   ///< to and fro
-    int perLine; ///< motions of each
+    int lines;   ///< back and forth
+    int perLine; ///< motions per line
 };
-/// From a small mould to a panel die of a million motions.
+/// From a small mould to a panel die with a million motions.
 [[nodiscard]] std::span<const Workload> workloads();
 
 [[nodiscard]] StockBox stockOf(const Workload& workload);
-/// Feed motions through and beside the stock; each keeps a pointer to `cutter`.
+/// Feed motions through and next to the stock; each keeps a pointer to `cutter`.
 [[nodiscard]] std::vector<CutterMotion> motionsOf(const Workload& workload, const Cutter& cutter);
-/// The same motions as a program for tool 1, a block each behind its head.
+/// The same motions as a program for tool 1, one block each after its head.
 [[nodiscard]] std::string programOf(const Workload& workload);
 
 } // namespace proveout::bench

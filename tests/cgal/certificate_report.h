@@ -14,9 +14,11 @@ struct CertificateRow {
     double allowance = 0;
     std::size_t facesFull = 0;
     std::size_t faces = 0;  ///< certified
-    double vertical = 0;    ///< certified: z-map point to surface, vertically, lattice coordinates
+    double vertical = 0;    ///< certified: vertical distance from z-map points to the surface, lattice
+                            ///< coordinates
     double verticalStl = 0; ///< certified: the same after the round trip through STL, by CGAL
-    double nearestStl = 0;  ///< certified: z-map point to the nearest triangle after the round trip, by CGAL
+    double nearestStl = 0;  ///< certified: distance from z-map points to the nearest triangle after the round
+                            ///< trip, by CGAL
     std::size_t facesPaper = 0; ///< without the certificate
     double verticalPaper = 0;
     std::size_t beyondPaper = 0; ///< z-map points beyond the allowance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `certify` promises, asked of CGAL: for every map, region size and allowance the exported solid is a
-// valid closed manifold and every z-map point lies within the allowance of it. Without the certificate the
-// same figures are measured and must be seen to break the allowance: that shows that these checks can fail.
+// Checks with CGAL what `certify` guarantees: for every map, region size and allowance the exported solid is
+// a valid closed manifold, and every z-map point is within the allowance of it. Without the certificate the
+// same measurements must exceed the allowance, which shows that these checks can fail.
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::array kRegions{5, 8, 13, 16, 30, 64};
 constexpr std::array kAllowances{0.01, 0.05, 0.1};
-/// Coordinates here are under 256 mm: half a step of float32 there, at the point and at the surface.
+/// Coordinates here are under 256 mm: half a step of float32 there, for the point and for the surface.
 constexpr double kStlRounding = 2e-5;
 
 SurfaceSnapshot decimated(const ZMapSnapshot& zmap, const DecimationParameters& parameters) {
@@ -53,7 +53,7 @@ std::vector<Vec3> pointsOf(const ZMapSnapshot& zmap) {
     return points;
 }
 
-/// Both regions at each border must use the same of its points.
+/// Expects that both regions at each border use the same border points.
 void expectBordersAgree(const SurfaceSnapshot& surface) {
     const RegionGrid& grid = surface.grid;
     std::vector<std::set<std::uint32_t>> used(grid.regionCount());
@@ -82,12 +82,12 @@ protected:
     static ZMapSnapshot map(const std::string& name) {
         if (name == "core-insert" || name == "mouse-case")
             return sampleMap(name);
-        constexpr int kNx = 71; // no multiple of any region size
+        constexpr int kNx = 71; // not a multiple of any region size
         constexpr int kNy = 54;
         return zmapOf(kNx, kNy, 1.0, mapKind(name).make(kNx, kNy, 1.0, 12345));
     }
 
-    /// The certified half of a row, and all that must be true of it.
+    /// The certified half of a row, and all checks of it.
     void certify(const ZMapSnapshot& zmap, const DecimationParameters& parameters, CertificateRow& row) {
         const SurfaceSnapshot surface = decimated(zmap, parameters);
         const auto triangles = surface.triangles();
@@ -112,7 +112,7 @@ protected:
         EXPECT_LE(row.nearestStl, row.verticalStl + kStlRounding);
     }
 
-    /// The same without the certificate: measured, for the report.
+    /// The same without the certificate, measured for the report.
     static void measurePaper(const ZMapSnapshot& zmap, DecimationParameters parameters, CertificateRow& row) {
         parameters.certify = false;
         const auto triangles = decimated(zmap, parameters).triangles();
@@ -145,7 +145,8 @@ TEST_P(Certificate, HoldsForEveryRegionSizeAndAllowance) {
         }
     }
     printReport(std::cout, rows);
-    // The negative control: to the letter, the paper's accumulated error is no bound, and this test sees it.
+    // The negative control: the paper's accumulated error, implemented literally, does not bound the
+    // distance, and this test must detect that.
     EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const CertificateRow& row) {
         return row.verticalPaper > row.allowance && row.beyondPaper > 0;
     })) << "without the certificate the allowance was kept everywhere: does this test see anything?";
@@ -159,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, Certificate,
                              return out;
                          });
 
-/// Per-region borders crack: the checks must see that too.
+/// Per-region borders cause cracks, which the checks must detect.
 TEST(CertificateControl, SurfacesWithCracksAreSeen) {
     const ZMapSnapshot zmap = zmapOf(33, 33, 1.0, mapKind("walls").make(33, 33, 1.0, 1));
     DecimationParameters parameters = leeParameters();
@@ -170,8 +171,8 @@ TEST(CertificateControl, SurfacesWithCracksAreSeen) {
     EXPECT_NE(whatCgalFindsWrong(solid, Intersections::skip), "");
 }
 
-/// The surfaces themselves, in both directions. The certificate is given at the z-map points, so this
-/// distance is told and not promised; it cannot be smaller than the one found from those points.
+/// The distance of the surfaces themselves, in both directions. The certificate applies to the z-map points,
+/// so this distance is reported and not guaranteed; it cannot be smaller than the distance of those points.
 TEST(Hausdorff, IsReportedForSmallMaps) {
     constexpr int kSize = 17;
     constexpr double kBound = 5e-3;

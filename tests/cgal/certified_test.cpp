@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the certified method promises, asked of CGAL: at the surface level the surfaces themselves lie within
-// the allowance of each other, both ways, and what is exported is a solid. The same questions must find the
-// sample level and the paper's method guilty at walls.
+// Checks with CGAL what the certified method guarantees: at the surface level the surfaces themselves are
+// within the allowance of each other, in both directions, and the exported mesh is a solid. The same checks
+// must fail for the sample level and the paper's method at walls.
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -16,13 +16,13 @@ namespace proveout::test {
 namespace {
 
 constexpr double kAllowance = 0.05;
-constexpr double kError = 2e-4; // within which CGAL tells
+constexpr double kError = 2e-4; // accuracy of CGAL's result
 
 DecimationParameters certified(int region, ErrorLevel level) {
     return certifiedParameters(region, kAllowance, level);
 }
 
-/// A surface as it is, open, in mm.
+/// A surface as an open mesh, in mm.
 TriangleMesh meshOf(const ZMapSnapshot& zmap, const std::vector<LatticeTriangle>& triangles) {
     const Grid& grid = zmap.grid();
     TriangleMesh mesh;
@@ -58,7 +58,7 @@ TEST_P(CertifiedCrop, isWithinTheAllowanceBothWays) {
 }
 
 TEST_P(CertifiedCrop, hasTheHausdorffDistanceThatTheBoundAllows) {
-    constexpr int kSize = 17; // the true distance takes CGAL long
+    constexpr int kSize = 17; // CGAL needs long for the true distance
     const ZMapSnapshot zmap = zmapOf(kSize, kSize, 0.5, mapKind(GetParam()).make(kSize, kSize, 0.5, 3));
     const auto parameters = certified(8, ErrorLevel::surface);
     const TriangleMesh mesh = meshOf(zmap, decimatedWhole(zmap, parameters).triangles());

@@ -4,7 +4,7 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Kernel/global_functions_3.h> // the next header uses it and forgets to ask for it
+#include <CGAL/Kernel/global_functions_3.h> // the next header needs it but does not include it
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <algorithm>
 #include <cmath>
@@ -21,13 +21,13 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-constexpr double kFarUp = 1e4; ///< mm; beyond every map of the tests
+constexpr double kFarUp = 1e4; ///< mm; higher than every map of the tests
 
 double infinity() {
     return std::numeric_limits<double>::infinity();
 }
 
-/// The triangles whose corners turn to the left seen from +Z: walls and floor are left out.
+/// The triangles that are counter-clockwise seen from +Z, without walls and floor.
 TriangleMesh facingUp(const TriangleMesh& solid) {
     TriangleMesh top{solid.vertices, {}};
     for (const auto& triangle : solid.triangles) {
@@ -38,7 +38,7 @@ TriangleMesh facingUp(const TriangleMesh& solid) {
     return top;
 }
 
-/// The height of a triangle's plane over a point.
+/// The height of a triangle's plane at a point.
 double heightOver(const SurfaceMesh& mesh, SurfaceMesh::Face_index face, const Kernel::Point_3& point) {
     auto half = mesh.halfedge(face);
     const auto a = mesh.point(mesh.source(half));

@@ -7,22 +7,23 @@
 
 namespace proveout::test {
 
-/// How far points lie from the triangles of a mesh that face upwards, found by CGAL alone.
+/// The distances of points from those triangles of a mesh that face upwards, computed with CGAL only.
 struct PointDistances {
-    double vertical = 0; ///< along Z, by rays against an AABB tree; infinity where a point has no triangle
+    double vertical = 0; ///< along Z, by rays against an AABB tree; infinity if there is no triangle at a
+                         ///< point
     double nearest = 0;  ///< to the nearest point of any triangle
 };
 [[nodiscard]] PointDistances distancesToTop(const std::vector<Vec3>& points, const TriangleMesh& solid);
 
-/// How far the farthest of the points lies from the nearest point of a mesh, by CGAL's AABB tree; infinity
-/// where CGAL finds the triangles to be no mesh.
+/// The largest distance of the points from the nearest point of a mesh, by CGAL's AABB tree; infinity if CGAL
+/// does not accept the triangles as a mesh.
 [[nodiscard]] double farthestFrom(const TriangleMesh& mesh, const std::vector<Vec3>& points);
 
-/// The two-sided Hausdorff distance of two meshes, within `bound` above the true one.
+/// The two-sided Hausdorff distance of two meshes, at most `bound` above the true value.
 [[nodiscard]] double symmetricHausdorff(const TriangleMesh& a, const TriangleMesh& b, double bound);
 
-/// Whether that distance is larger than `distance`, which CGAL tells within `error`; sooner than the
-/// distance.
+/// Whether that distance is larger than `distance`, determined by CGAL within `error`; faster than computing
+/// the distance.
 [[nodiscard]] bool isHausdorffLarger(const TriangleMesh& a, const TriangleMesh& b, double distance,
                                      double error);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Large maps of machined parts and a large terrain: every z-map point lies within the allowance of the
-// certified surface. CGAL tells the Euclidean distance, which is no larger than the vertical one that is
-// promised.
+// Large maps of machined parts and a large terrain: every z-map point is within the allowance of the
+// certified surface. CGAL computes the Euclidean distance, which does not exceed the guaranteed vertical one.
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
@@ -17,7 +16,7 @@ namespace proveout::test {
 namespace {
 
 constexpr double kAllowance = 0.05;
-constexpr double kRounding = 1e-9; // of CGAL's distances, in double, a kilometre away
+constexpr double kRounding = 1e-9; // of CGAL's distances, in double, one kilometre from the origin
 constexpr int kTerrain = 1000;     // points along a side
 
 struct LargeMap {
@@ -25,7 +24,7 @@ struct LargeMap {
     double spacing; ///< mm
 };
 
-/// Nothing where the file is absent.
+/// Empty if the file does not exist.
 ZMapSnapshot sharedMap(const LargeMap& map) {
     const auto file = std::filesystem::path(PROVEOUT_SHARED_DIR) / "maps" / (map.name + ".npy");
     if (!std::filesystem::exists(file))
@@ -64,7 +63,7 @@ TriangleMesh meshOf(const std::vector<Vec3>& points, const SurfaceSnapshot& surf
     return mesh;
 }
 
-/// As at rest on the screen: regions merged up to 1024 cells.
+/// As shown on the screen at rest: regions merged up to 1024 cells.
 SurfaceSnapshot onScreen(const ZMapSnapshot& zmap, double allowance) {
     RefinedSurface surface(zmap.grid().nx, zmap.grid().ny,
                            certifiedParameters(16, allowance, ErrorLevel::surface));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that we write, read by CGAL: the same mesh, and still a solid.
+// Mesh files written by us and read by CGAL: the same mesh, and still a solid.
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
@@ -33,8 +33,8 @@ TriangleMesh decimatedSolid(const ZMapSnapshot& zmap) {
     return closeSolid(zmap, surface.snapshot().triangles());
 }
 
-/// A sample of the product, and stock that is cut through to the floor in places, where sheets were set
-/// apart.
+/// A sample of the product, and stock that is cut through to the floor in places, where surfaces were
+/// separated.
 std::vector<Case> cases() {
     std::vector<Case> out;
     const ZMapSnapshot sample = sampleMap("core-insert");
@@ -99,7 +99,8 @@ TEST(MeshFiles, PlyIsTheSameMeshToCgal) {
     }
 }
 
-/// STL is a soup; joined by its float32 coordinates it is a solid again, and free of intersections.
+/// STL stores separate triangles; joined by their float32 coordinates they must form a solid without
+/// intersections.
 TEST(MeshFiles, StlIsASolidAgainToCgal) {
     namespace pmp = CGAL::Polygon_mesh_processing;
     const TemporaryFolder folder;

@@ -7,8 +7,8 @@
 
 namespace proveout::test {
 
-/// The stock after the whole program of a sample job of the repository, e.g. "core-insert". An empty z-map,
-/// and a failed expectation, where the job cannot be run.
+/// The stock after the complete program of a sample job of the repository, e.g. "core-insert". If the job
+/// cannot be run, returns an empty z-map and fails an expectation.
 [[nodiscard]] ZMapSnapshot sampleMap(const std::string& name);
 
 } // namespace proveout::test

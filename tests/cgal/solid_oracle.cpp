@@ -27,7 +27,8 @@ std::string whatCgalFindsWrong(const TriangleMesh& mesh, Intersections intersect
     if (intersections == Intersections::look) {
         if (pmp::does_self_intersect(*solid))
             return "triangles intersect";
-        // It needs a mesh without intersections; every part must be the outer boundary of its own volume.
+        // This requires a mesh without intersections; every part must be the outer boundary of its own
+        // volume.
         if (!pmp::does_bound_a_volume(*solid))
             return "the parts do not bound a volume together";
     }

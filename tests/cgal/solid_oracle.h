@@ -9,8 +9,8 @@ namespace proveout::test {
 
 enum class Intersections { skip, look };
 
-/// What CGAL finds wrong with a solid: no polygon mesh, not valid, not closed, parts that do not bound a
-/// volume with outward normals, triangles that intersect (slow: asked for). Empty where nothing is.
+/// The defects that CGAL finds in a solid: not a polygon mesh, not valid, not closed, parts that do not bound
+/// a volume with outward normals, intersecting triangles (slow, so only on request). Empty if there are none.
 [[nodiscard]] std::string whatCgalFindsWrong(const TriangleMesh& mesh, Intersections intersections);
 
 } // namespace proveout::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solids of stock that touches its floor, before the eyes of CGAL.
+// Solids of stock that touches its floor, checked by CGAL.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
@@ -15,7 +15,7 @@
 namespace proveout::test {
 namespace {
 
-constexpr float kFloor = -100; // of zmapOf()
+constexpr float kFloor = -100; // as in zmapOf()
 
 Heights randomHeights(int points, std::mt19937& random) {
     const unsigned percents[] = {0, 10, 40, 70};
@@ -47,14 +47,14 @@ TEST(SolidOnFloor, BoundsAVolumeWithoutIntersections) {
     EXPECT_GT(closed, 300);
 }
 
-/// Maps that are cut through in places, decimated: the surfaces that an export really meets.
+/// Decimated maps that are cut through in places, like the surfaces of real exports.
 TEST(SolidOnFloor, DecimatedSurfacesThatAreCutThroughBoundAVolume) {
     for (const char* name : {"terrain", "walls", "spheres", "noise"}) {
         constexpr int kNx = 61;
         constexpr int kNy = 47;
         Heights heights = mapKind(name).make(kNx, kNy, 1.0, 7);
         const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-        const float through = *low + (*high - *low) / 3; // what lies lower is cut through
+        const float through = *low + (*high - *low) / 3; // everything lower is cut through
         for (float& height : heights)
             height = std::max(kFloor, height <= through ? kFloor : height);
         const ZMapSnapshot zmap = zmapOf(kNx, kNy, 1.0, heights);
@@ -96,7 +96,7 @@ TEST(SolidOracle, SeesWhatIsWrong) {
     EXPECT_EQ(whatCgalFindsWrong(insideOut, Intersections::look), "normals inwards");
 
     auto pierced = box();
-    pierced.vertices[12].z = -200; // a vertex of the top, down through the floor
+    pierced.vertices[12].z = -200; // moves a vertex of the top below the floor
     EXPECT_NE(whatCgalFindsWrong(pierced, Intersections::look), "");
 }
 

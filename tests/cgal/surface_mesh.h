@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Our meshes as CGAL's. Only the two oracles include this: it takes long to compile.
+// Converts our meshes to those of CGAL. Only the two oracles include this, because it is slow to compile.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,8 +15,8 @@ namespace proveout::test {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// Nothing where CGAL finds the triangles to be no polygon mesh (an edge with three triangles, or two that
-/// disagree).
+/// Empty if CGAL does not accept the triangles as a polygon mesh (an edge with three triangles, or two with
+/// opposite orientations).
 inline std::optional<SurfaceMesh> toSurfaceMesh(const TriangleMesh& mesh) {
     namespace pmp = CGAL::Polygon_mesh_processing;
     std::vector<Kernel::Point_3> points;

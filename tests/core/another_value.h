@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walks over every row of the described structs of parameters.
+// Visits every row of the described parameter structs.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// A visitor of describe() that gives a field another value, which it may have. A type of value without one
+/// A visitor of describe() that gives a field another valid value. A type of value that it does not handle
 /// does not compile.
 struct AnotherValue {
     void operator()(double& value, const Field& field) const {
@@ -43,7 +43,7 @@ struct AnotherValue {
     }
 };
 
-/// Calls `check(params, field)` for every row, with a copy of `params` in which this row alone has another
+/// Calls `check(params, field)` for every row, with a copy of `params` in which only this row has another
 /// value.
 template<class Params, class Check>
 void eachRowChanged(const Params& params, Check&& check) {

@@ -6,7 +6,7 @@
 
 namespace proveout {
 
-/// Files of this process may not grow beyond `bytes` while it lives: a full disk without a disk.
+/// Limits the size of files of this process to `bytes` while it exists, to simulate a full disk.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes) {

@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-/// A folder of its own for one test, removed with all it holds.
+/// A separate folder for one test, removed with its content.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -28,15 +28,14 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
     [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
 
-    /// Writes a file without the flush to the disk that makes AtomicFile slow in tests with thousands of
-    /// files.
+    /// Writes a file without the flush to disk that makes AtomicFile slow in tests with thousands of files.
     void put(const std::string& name, const std::string& bytes) const {
         std::ofstream out(m_path / name, std::ios::binary);
         out << bytes;
         EXPECT_TRUE(out.flush());
     }
 
-    /// How many entries lie in it.
+    /// The number of entries in it.
     [[nodiscard]] std::size_t entries() const {
         std::size_t count = 0;
         for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(m_path))

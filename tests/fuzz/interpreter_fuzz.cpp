@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer over `interpret`: the last byte chooses the options, what stands before it is the text.
+// libFuzzer for `interpret`: the last byte selects the options, everything before it is the text.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -14,7 +14,7 @@ namespace proveout::test {
 
 namespace {
 
-/// A line end, which most programs end in, means the plain options.
+/// A line end, which is at the end of most programs, selects the default options.
 constexpr unsigned kPlain = '\n';
 
 enum Choice : unsigned {
@@ -22,11 +22,11 @@ enum Choice : unsigned {
     kStartAtZero = 2,
     kStart = 4,
     kTools = 8,
-    kFew = 16,     ///< motions and messages
-    kDialect = 32, ///< with the bits above it: which one
+    kFew = 16,     ///< limits motions and messages
+    kDialect = 32, ///< the bits above it select which one
 };
 
-/// Of so many texts one is run three times.
+/// One of this many texts is run three times.
 constexpr std::size_t kComparedOf = 8;
 
 ToolOffsets someTools() {
@@ -39,14 +39,14 @@ InterpretOptions optionsOf(unsigned choice) {
     if (const std::size_t dialect = choice / kDialect; dialect < dialects().size())
         options.dialect = dialects()[dialect].id;
     else
-        options.dialect.reset(); // guessed
+        options.dialect.reset(); // detected from the text
     options.blockDelete = (choice & kBlockDelete) != 0;
     options.assumeStartAtZero = (choice & kStartAtZero) != 0;
     if ((choice & kStart) != 0)
         options.start = Vec3(10, -20, 30);
     if ((choice & kTools) != 0)
         options.tools = someTools();
-    // An execution has to be quick.
+    // An execution must be fast.
     options.maxDiagnostics = (choice & kFew) != 0 ? 10 : options.maxDiagnostics;
     options.maxMotions = (choice & kFew) != 0 ? 5 : 400;
     options.maxRepeated = 400;
@@ -60,7 +60,7 @@ void require(bool kept, const std::string& promise) {
     std::abort();
 }
 
-/// The same text in several pieces, as an editor leaves it.
+/// The same text in several pieces, as after edits.
 NcText edited(const std::string& text) {
     const std::size_t half = text.size() / 2;
     return NcText(text.substr(0, half) + "G1 X9" + text.substr(half)).replaced(half, 5, "");
@@ -80,10 +80,10 @@ void run(const std::string& bytes, unsigned choice) {
     if (bytes.size() % kComparedOf != 0)
         return;
     requireSame(*program, *interpret(text, options), "the same text means the same");
-    // The byte order mark is looked for where a text is made, not where it is edited.
+    // The byte order mark is detected when a text is created, but not in edits.
     if (!text.hadByteOrderMark())
         requireSame(*program, *interpret(edited(bytes), options), "an edited text means what it says");
-    // Half of it first, so that the whole goes on where that ends, or before.
+    // First half of the text, so that the whole resumes at its end or before.
     ResumableInterpreter interpreter(1);
     static_cast<void>(
         interpreter.interpret(text.replaced(text.size() / 2, text.size() - text.size() / 2, ""), options));

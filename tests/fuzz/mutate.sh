@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # tests/fuzz/mutate.sh [RUNS [OPTION…]]: builds the release preset as far as needed and reads RUNS (100000) damaged
-# inputs. Fails where one crashes, takes more than 5 s of the processor or more than 1 GB; the inputs that did are
-# kept in build/release/mutation-findings. The seed is printed; --seed N repeats a run.
+# inputs. Fails if one crashes, uses more than 5 s of CPU time or more than 1 GB; these inputs are stored in
+# build/release/mutation-findings. The seed is printed; --seed N repeats a run.
 set -eu
 cd "$(dirname "$0")/../.."
 runs="${1:-100000}"

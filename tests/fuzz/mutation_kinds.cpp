@@ -30,8 +30,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// Points of the grids of these runs: few, because there are many runs. How long finer ones take follows
-/// from their points, which the program asks for before.
+/// Points of the grids of these runs: few, because there are many runs. The time for finer grids follows from
+/// their number of points, which the program checks before.
 constexpr GridLimits kGrid{1e4, 4e4};
 
 std::string bytesOf(const fs::path& file) {
@@ -39,14 +39,14 @@ std::string bytesOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Takes what is written and keeps nothing.
+/// Discards what is written.
 class Nowhere : public std::streambuf {
 protected:
     int_type overflow(int_type c) override { return traits_type::not_eof(c); }
     std::streamsize xsputn(const char* /*text*/, std::streamsize count) override { return count; }
 };
 
-/// The length of the text chooses the dialect, so that the file alone repeats a run.
+/// The length of the text selects the dialect, so that the file alone reproduces a run.
 std::optional<DialectId> dialectFor(const NcText& text) {
     const std::size_t choice = text.size() % (dialects().size() + 1);
     return choice < dialects().size() ? std::optional(dialects()[choice].id) : std::nullopt;
@@ -68,7 +68,7 @@ bool runProgram(const fs::path& file) {
     return program->motionCount() > 0;
 }
 
-/// The uncut map of a stock that is in a file, as a run of the command line makes it.
+/// Creates the uncut z-map of a stock from a file, like a run of the command line.
 bool runStock(const std::string& text) {
     auto spec = parseStock(text);
     if (!spec || !makeStock(*spec, {}))
@@ -93,7 +93,7 @@ bool runSavedStock(const fs::path& file) {
     return runStock("file:flip=x,turn=90,file=" + file.string());
 }
 
-/// With sound checksums, which no damage of an archive has.
+/// With valid checksums, which a damaged archive does not have.
 bool runStockDescription(const fs::path& file) {
     const fs::path archive = file.parent_path() / "described.pvstock";
     ZipFile zip(archive, false);
@@ -113,7 +113,7 @@ bool runToolTable(const fs::path& file) {
     return readToolFile(file).has_value();
 }
 
-/// As `decimate`.
+/// Like `decimate`.
 bool runNpy(const fs::path& file) {
     const DecimationParameters parameters;
     const auto zmap = cli::readZMap(file, 0.5, {0, 0}, {}, [&](const StockBox& stock, const Grid& grid) {
@@ -123,13 +123,13 @@ bool runNpy(const fs::path& file) {
     return zmap && decimatedWhole(*zmap, parameters).faces > 0;
 }
 
-/// Up to where the program of a run is read. What writes files is not among these options.
+/// Parses the options of a run and reads its program. Options that write files are not included.
 bool runOptions(const fs::path& file) {
     std::vector<std::string> arguments;
     std::ifstream lines(file, std::ios::binary);
     for (std::string line; std::getline(lines, line);)
         arguments.push_back(std::move(line));
-    std::ranges::reverse(arguments); // as the parser wants them
+    std::ranges::reverse(arguments); // in the sequence that the parser expects
     CLI::App app;
     cli::SetupOptions options;
     options.addTo(app);

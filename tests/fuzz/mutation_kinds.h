@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of what is fed with damaged files: one row a kind of input.
+// The table of what is tested with damaged files: one row per kind of input.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct MutationKind {
     const char* extension; ///< of its files
     Seeds (*seeds)(const std::filesystem::path& folder);
     std::vector<std::string> (*words)();
-    /// Reads the file and does with it what the program does. False: it was refused.
+    /// Reads and uses the file like the program does. False: it was refused.
     bool (*run)(const std::filesystem::path& file);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Damaged inputs by the thousand: each is read in a process that is watched, and none may crash, take more
-// than 5 s or more than 1 GB. What did is kept as a file, with the command that repeats it.
+// Thousands of damaged inputs: each is read in a watched process, and none may crash or use more than 5 s or
+// 1 GB. Inputs that do are stored as files, with the command that repeats them.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -26,15 +26,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-    std::size_t runs = 1000; ///< of all kinds together
+    std::size_t runs = 1000; ///< for all kinds together
     std::uint32_t seed = 0;
     std::string kind;                        ///< empty: all
-    std::optional<std::size_t> only;         ///< a single run of each kind
-    std::string file;                        ///< instead of damaged ones
-    std::string found = "mutation-findings"; ///< folder
+    std::optional<std::size_t> only;         ///< runs only this one of each kind
+    std::string file;                        ///< used instead of damaged ones
+    std::string found = "mutation-findings"; ///< a folder
 };
 
-/// A folder of this process, removed with all it holds.
+/// A folder of this process, removed with its content.
 class Workplace {
 public:
     Workplace() {
@@ -56,7 +56,7 @@ private:
     fs::path m_path;
 };
 
-/// The inputs of a kind: the run's number chooses the seed and what becomes of it.
+/// The inputs of a kind: the number of the run determines the seed file and its changes.
 class Inputs {
 public:
     Inputs(const MutationKind& kind, const fs::path& folder, std::uint32_t seed)
@@ -91,7 +91,7 @@ void printCosts(const MutationKind& kind, const std::vector<WatchedRun>& runs, s
                runs[largest].peakBytes / 1'000'000, first + largest);
 }
 
-/// Keeps the inputs that broke a limit, and the one that was asked for; returns how many broke one.
+/// Stores the inputs that exceeded a limit, and the requested one; returns how many exceeded a limit.
 std::size_t keepFindings(const MutationKind& kind, const std::vector<WatchedRun>& runs, std::size_t first,
                          const Inputs& inputs, const Options& options) {
     std::size_t findings = 0;
@@ -117,7 +117,7 @@ std::size_t runKind(const MutationKind& kind, std::size_t count, const Options& 
     const fs::path file = workplace.path() / (std::string("input") + kind.extension);
     const Inputs inputs(kind, workplace.path(), options.seed);
     const std::size_t first = options.only.value_or(0);
-    fs::current_path(workplace.path()); // relative names in damaged inputs lead there
+    fs::current_path(workplace.path()); // damaged inputs may contain relative names
     const auto runs = watchRuns(options.only ? 1 : count, RunLimits(), [&](std::size_t index) {
         writeBytes(file, inputs.input(first + index));
         return kind.run(file);
@@ -127,7 +127,7 @@ std::size_t runKind(const MutationKind& kind, std::size_t count, const Options& 
     return keepFindings(kind, runs, first, inputs, options);
 }
 
-/// One input as it is.
+/// Runs one input unchanged.
 std::size_t runFile(const MutationKind& kind, const std::string& name) {
     const fs::path file = fs::absolute(name);
     const auto runs = watchRuns(1, RunLimits(), [&](std::size_t) { return kind.run(file); });

@@ -21,16 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestSeed = 4096; ///< bytes: small files are more often hit where it counts
-constexpr int kSide = 5;                      ///< points of the map of a saved stock
+constexpr std::uintmax_t kLargestSeed = 4096; ///< bytes: small files get more relevant hits
+constexpr int kSide = 5;                      ///< points per side of the map of a saved stock
 
 std::string bytesOf(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Files with one of these endings below a folder, small ones, in the order of their names; none where the
-/// folder is not present.
+/// Small files with one of these extensions below a folder, sorted by name; empty if the folder does not
+/// exist.
 Seeds filesBelow(const fs::path& folder, const std::set<std::string>& endings) {
     std::vector<fs::path> files;
     std::error_code error;
@@ -155,7 +155,7 @@ Seeds npySeeds(const fs::path& folder) {
 }
 
 Seeds optionSeeds(const fs::path& folder) {
-    // The files that they name.
+    // The files that the seeds refer to.
     std::ofstream(folder / "a.nc") << "G0 X0 Y0 Z5 F100\nG1 Z-1\nX10\n";
     std::ofstream(folder / "a.csv") << outlineSeeds(folder).front();
     std::ofstream(folder / "a.proveout") << jobSeeds(folder).front();

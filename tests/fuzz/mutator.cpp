@@ -15,7 +15,7 @@ namespace {
 using Words = std::span<const std::string>;
 
 constexpr std::size_t kMostChanges = 10;
-constexpr std::size_t kLongestPiece = 400; ///< that is copied, moved or removed
+constexpr std::size_t kLongestPiece = 400; ///< of the piece that is copied, moved or removed
 constexpr std::size_t kMostCopies = 2000;
 
 constexpr std::array<std::string_view, 30> kNumbers{"0",
@@ -102,7 +102,7 @@ Piece anyWord(const std::string& bytes, MutationRandom& random) {
 
 Piece anyLine(const std::string& bytes, MutationRandom& random) {
     Piece line = around(bytes, below(bytes.size(), random), [](char c) { return c != '\n' && c != '\r'; });
-    line.length = std::min(line.length + 1, bytes.size() - line.at); // with its end
+    line.length = std::min(line.length + 1, bytes.size() - line.at); // includes the line end
     return line;
 }
 
@@ -133,13 +133,13 @@ void repeatPiece(std::string& bytes, const Piece& piece, MutationRandom& random)
 
 using Change = void (*)(std::string& bytes, Words words, MutationRandom& random);
 
-/// One row a way of damage; `bytes` are not empty.
+/// One row per kind of damage; `bytes` must not be empty.
 constexpr std::array<Change, 20> kChanges{
-    [](std::string& bytes, Words, MutationRandom& random) { // a bit
+    [](std::string& bytes, Words, MutationRandom& random) { // flips a bit
         char& byte = bytes[below(bytes.size(), random)];
         byte = static_cast<char>(byte ^ (1 << below(8, random)));
     },
-    [](std::string& bytes, Words, MutationRandom& random) { // a byte
+    [](std::string& bytes, Words, MutationRandom& random) { // changes a byte
         bytes[below(bytes.size(), random)] = static_cast<char>(random());
     },
     [](std::string& bytes, Words, MutationRandom& random) {
@@ -155,7 +155,7 @@ constexpr std::array<Change, 20> kChanges{
     [](std::string& bytes, Words, MutationRandom& random) {
         copyPiece(bytes, anyPiece(bytes, random), random);
     },
-    [](std::string& bytes, Words, MutationRandom& random) { // moves it
+    [](std::string& bytes, Words, MutationRandom& random) { // moves a piece
         const Piece piece = anyPiece(bytes, random);
         const std::string moved(bytes, piece.at, piece.length);
         bytes.erase(piece.at, piece.length);
@@ -174,7 +174,7 @@ constexpr std::array<Change, 20> kChanges{
         const Piece number = anyNumber(bytes, random);
         bytes.replace(number.at, number.length, anyOf(kNumbers, random));
     },
-    [](std::string& bytes, Words, MutationRandom& random) { // another one of the file
+    [](std::string& bytes, Words, MutationRandom& random) { // another part of the file
         const Piece from = anyNumber(bytes, random);
         const std::string copied(bytes, from.at, from.length);
         const Piece to = anyNumber(bytes, random);
@@ -210,7 +210,7 @@ constexpr std::array<Change, 20> kChanges{
 } // namespace
 
 std::string mutated(std::string seed, std::span<const std::string> words, MutationRandom& random) {
-    // Seldom many: a file that is refused at its first byte shows nothing.
+    // Rarely many changes, because a file that is refused at its first byte tests nothing.
     for (std::size_t left = below(1 + below(kMostChanges, random), random); left > 0 && !seed.empty(); --left)
         anyOf(kChanges, random)(seed, words, random);
     if (seed.size() > kLargestInput)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Damages a file as programs, people and disks do, without knowing what it is.
+// Damages a file as programs, people and disks do, without knowledge of its format.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace proveout::test {
 
 using MutationRandom = std::mt19937_64;
 
-/// No input grows beyond this, bytes: what takes seconds for so little takes too long.
+/// Inputs do not grow beyond this, bytes, because seconds for so little input are too long.
 inline constexpr std::size_t kLargestInput = 256'000;
 
-/// `seed` with up to nine changes, seldom many: bits, bytes, pieces, numbers, words and separators; `words`
-/// are what the kind of file is made of. A function of its arguments alone; equal on every machine.
+/// `seed` with up to nine changes, rarely many: bits, bytes, pieces, numbers, words and separators; `words`
+/// are the elements of this kind of file. Depends only on its arguments; equal on every machine.
 [[nodiscard]] std::string mutated(std::string seed, std::span<const std::string> words,
                                   MutationRandom& random);
 

@@ -6,7 +6,7 @@
 
 namespace proveout::test {
 
-/// Words of NC programs: every code of every dialect, every letter, and the keywords beside them.
+/// Words of NC programs: every code of every dialect, every letter, and the keywords.
 [[nodiscard]] std::vector<std::string> ncWords();
 
 } // namespace proveout::test

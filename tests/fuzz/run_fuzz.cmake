@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -DCLANG=… -P run_fuzz.cmake, in the folder of CMakePresets.json: a short run. The seed does not make
-# it the same one every time: libFuzzer looks at the clock as well. What it finds is told as Base64.
+# cmake -DCLANG=… -P run_fuzz.cmake, in the folder of CMakePresets.json: a short run. Runs with the
+# same seed can still differ, because libFuzzer also uses the clock. Findings are printed as Base64.
 if(NOT CLANG)
   message("skipped: clang++ is not installed")
   return()

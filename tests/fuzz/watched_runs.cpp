@@ -23,18 +23,18 @@ namespace proveout::test {
 
 namespace {
 
-/// A run that waits takes no seconds of the processor; after so many seconds of the clock it is stopped.
+/// A run that waits uses no CPU time; it is stopped after this many seconds of wall time.
 constexpr double kLongestWait = 120;
-/// Bytes of address space of a child: more than a run may take, too little to harm the machine.
+/// Bytes of address space of a child: more than a run may use, and too little to harm the machine.
 constexpr std::uint64_t kAddressSpace = 6'000'000'000;
-/// Freed memory that the child keeps would hide what the next run takes.
+/// Freed memory that the child keeps would hide the memory used by the next run.
 constexpr std::uint64_t kTrimFrom = 64'000'000;
 constexpr std::chrono::milliseconds kGlance(5);
 
-/// What parent and child both see.
+/// Memory shared by parent and child.
 struct Shared {
     std::atomic<std::size_t> current{0};
-    std::atomic<double> startedAt{0}; ///< processor seconds of the child
+    std::atomic<double> startedAt{0}; ///< CPU seconds of the child
     std::atomic<double> startedClock{0};
 };
 
@@ -44,7 +44,7 @@ double secondsOf(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Memory of both processes. The pages are those of the system, so values begin as zeros.
+/// Memory shared by both processes. The system provides the pages, so values are initially zero.
 template<class Value>
 class SharedArray {
 public:
@@ -66,7 +66,7 @@ private:
     Value* m_values;
 };
 
-/// Linux begins the peak anew where 5 is written there.
+/// Writing 5 there makes Linux reset the peak.
 void resetPeak() {
     std::ofstream("/proc/self/clear_refs") << 5;
 }
@@ -100,7 +100,7 @@ RunEnd endOfCall(const std::function<bool(std::size_t)>& run, std::size_t index,
     }
 }
 
-/// The child: all runs from this one on.
+/// Runs in the child: all runs from `first` on.
 [[noreturn]] void work(std::size_t first, std::size_t count, const RunLimits& limits,
                        const std::function<bool(std::size_t)>& run, Shared& shared,
                        const SharedArray<WatchedRun>& results) {
@@ -127,7 +127,7 @@ RunEnd endOfCall(const std::function<bool(std::size_t)>& run, std::size_t index,
     _exit(0);
 }
 
-/// Waits for the child; where the run that it is at takes too long, ends it.
+/// Waits for the child; kills it if its current run takes too long.
 bool endsWell(pid_t child, const RunLimits& limits, const Shared& shared, bool& stopped) {
     clockid_t clock{};
     clock_getcpuclockid(child, &clock);

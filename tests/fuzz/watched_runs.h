@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs that may crash, hang or take all memory, in a process of their own, each of them measured.
+// Runs that may crash, hang or exhaust the memory, in processes of their own; each run is measured.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace proveout::test {
 
-/// What a run may take. Seconds are those of the processor, of all threads, so that a busy machine changes
-/// nothing; memory is what the process has resident at most.
+/// The limits of a run. Seconds are CPU time of all threads, so other load on the machine does not matter;
+/// memory is the peak of the resident memory.
 struct RunLimits {
     double seconds = 5;
     std::uint64_t bytes = 1'000'000'000;
@@ -22,13 +22,13 @@ enum class RunEnd : std::uint8_t { notRun, done, crashed, threw, tooSlow, tooLar
 
 struct WatchedRun {
     RunEnd end = RunEnd::notRun;
-    bool accepted = false; ///< what the run returned
+    bool accepted = false; ///< the result of the run
     double seconds = 0;
     std::uint64_t peakBytes = 0;
 };
 
-/// Calls `run` with 0 … count−1, in order, in child processes: one as long as nothing goes wrong, and the
-/// next after each run that crashed or was stopped. Linux.
+/// Calls `run` with 0 … count−1, in sequence, in child processes: a new one only after a run that crashed or
+/// was stopped. Linux only.
 [[nodiscard]] std::vector<WatchedRun> watchRuns(std::size_t count, const RunLimits& limits,
                                                 const std::function<bool(std::size_t)>& run);
 

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fails on any C++ source that clang-format would write otherwise.
+# Fails if clang-format would change any C++ source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 find core ui app resources tests \( -name '*.h' -o -name '*.cpp' \) -print0 |

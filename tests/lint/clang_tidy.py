@@ -3,12 +3,13 @@
 """clang_tidy.py BUILD [SOURCE…]: runs clang-tidy over the sources of core, ui, app and resources that BUILD compiles.
 
 A source is checked again only when it, a header of ours that it includes, or the rules have changed. BUILD must have
-been built, for the sources that are generated. What was found clean is remembered beside the compiler's cache, not in
-BUILD, so that a fresh clone on the same machine checks what is new only.
+been built, because some sources are generated. Sources without findings are recorded next to the compiler's cache, not
+in BUILD, so that a fresh clone on the same machine checks only what is new.
 
-Most of the time goes into the headers of libraries, so the sources of a room are checked together, as few translation
-units. That may only acquit: where something is found, sources are checked apart, and that counts. Where names clash,
-the later source goes into another unit. Sources that are named are checked apart at once.
+Most of the time is spent on the headers of libraries, so the sources of a folder are checked together, in few
+translation units. Only a clean result of such a unit counts: if there are findings, its sources are checked separately,
+and those results count. If names clash, the later source goes into another unit. Sources given as arguments are checked
+separately from the start.
 """
 import collections
 import concurrent.futures
@@ -38,7 +39,7 @@ INCLUDED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
 def sources_of(file):
-    """The source itself, or those that CMake has put together in it."""
+    """The source itself, or the sources that CMake has combined in it."""
     if "/Unity/unity_" not in file:
         return [file]
     return INCLUDED.findall(pathlib.Path(file).read_text())
@@ -66,7 +67,7 @@ def included(file):
 
 
 def dependencies(source):
-    """The source and the headers of this repository that it sees."""
+    """The source and the headers of this repository that it includes, directly or not."""
     found = [source]
     for file in found:
         found += [name for name in dict.fromkeys(included(file)) if name not in found]
@@ -74,7 +75,7 @@ def dependencies(source):
 
 
 def rules(compiled):
-    """What besides the sources decides what is found. Where the clone lies does not."""
+    """Everything besides the sources that affects the findings. The location of the clone does not."""
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True).stdout
     options = {a.replace(f"{ROOT}/", "") for arguments in compiled.values() for a in arguments
                if re.match(r"-([DfmOW]|std)", a)}
@@ -89,7 +90,7 @@ def key(ruling, files):
 
 
 def quoted(path):
-    """For LLVM's regular expressions, which know fewer escapes than Python's."""
+    """Escapes for LLVM's regular expressions, which support fewer escapes than Python's."""
     return re.sub(r"([][.*+?^${}()|\\])", r"\\\1", str(path))
 
 
@@ -110,7 +111,7 @@ class Check:
         self.running = set()
 
     def pending(self):
-        """Sources to be checked; what is still in use stays remembered."""
+        """Sources to be checked; records that are still in use are kept."""
         for source, remembered in sorted(self.keys.items()):
             if NAMED and source not in NAMED:
                 continue
@@ -120,7 +121,7 @@ class Check:
                 yield source
 
     def start(self, sources):
-        """Starts units of as many sources as stand together well."""
+        """Starts units with at most MOST_TOGETHER sources of a folder each."""
         rooms = collections.defaultdict(list)
         for source in sorted(sources):
             rooms[source if NAMED else source.partition("/")[0]].append(source)
@@ -138,7 +139,7 @@ class Check:
             self.running.add(self.pool.submit(self.together, sources, UNITS / f"unit{self.units}.cpp"))
 
     def together(self, sources, unit):
-        """Remembers the sources if nothing is found; else answers which to check apart, and which in other company."""
+        """Records sources without findings; returns those to check separately, and those for another unit."""
         arguments = list(dict.fromkeys(a for source in sources for a in self.compiled[source]))
         standing = self.without_clashes(sources, unit, arguments)
         elsewhere = [source for source in sources if source not in standing]
@@ -153,7 +154,7 @@ class Check:
         return [], elsewhere
 
     def without_clashes(self, sources, unit, arguments):
-        """What compiles as one unit: one check only, as most of the time goes into the others."""
+        """The sources that compile as one unit. Runs a single check, because the others take most of the time."""
         while sources:
             _, output = self.unit(sources, unit, arguments, "--checks=-*,modernize-use-nullptr")
             clashing = self.named(sources, output, "clang-diagnostic-error")

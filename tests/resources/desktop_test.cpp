@@ -43,7 +43,7 @@ TEST(Desktop, TypesOfTheEntryAreDefined) {
         matches(textOf(kDesktop / "proveout.xml"), "<mime-type type=\"([^\"]*)\"");
     EXPECT_EQ(defined.erase("application/x-netcdf"), 1U) << "which is only told apart";
     EXPECT_THAT(defined, testing::SizeIs(2));
-    // Of shared-mime-info, and of LinuxCNC.
+    // Defined by shared-mime-info and by LinuxCNC.
     defined.insert({"text/x.gcode", "text/ngc"});
     EXPECT_EQ(matches(list, "([^;]+);"), defined);
 }
@@ -51,7 +51,7 @@ TEST(Desktop, TypesOfTheEntryAreDefined) {
 TEST(Desktop, EndingsAreThoseThatTheWindowOpens) {
     std::set<std::string> endings =
         matches(textOf(fs::path(PROVEOUT_SOURCE_DIR) / "ui/files/file_flow.cpp"), "(\\*\\.[a-z]+)(?=[ \"])");
-    // Disk images, and texts.
+    // Disk images and plain texts.
     for (const char* other : {"*.iso", "*.txt"})
         EXPECT_EQ(endings.erase(other), 1U) << other;
     for (const char* extension : findFormat("job")->extensions)

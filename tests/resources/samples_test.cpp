@@ -73,7 +73,7 @@ TEST_P(SampleProgram, NeverCutsInRapidNorIntoTheDesign) {
         double removed = 0;
         for (const Vec3& tip : move.tips)
             removed = std::max(removed, stock.cut(tip));
-        // The cutter may slide along a wall it has just cut.
+        // The cutter may slide along a wall that it has just cut.
         ASSERT_FALSE(move.rapid && removed > 1e-3) << "rapid cuts " << removed << " mm, line " << move.line;
         if (removed > 0) {
             for (const Vec3& tip : move.tips) {
@@ -111,9 +111,9 @@ TEST(MouseCase, RoughingLeavesTerracesAndFinishingOnlyCusps) {
                     mean += (stock.height(x, y) - mouseCaseHeight(x, y)) / (101.0 * 141.0);
         }
     }
-    EXPECT_GT(meanExcess[0], 0.5); // the allowance, and what lies between levels and rows
+    EXPECT_GT(meanExcess[0], 0.5); // the allowance plus the scallops between levels and rows
     EXPECT_LT(meanExcess[0], 3.0);
-    EXPECT_LT(meanExcess[1], 0.3); // fillets smaller than the ball stay
+    EXPECT_LT(meanExcess[1], 0.3); // fillets smaller than the ball remain
 }
 
 } // namespace

@@ -21,11 +21,11 @@ struct CatalogueMessage {
     [[nodiscard]] QString name() const;
 };
 
-/// Reads a .ts file; empty where it is not one.
+/// Reads a .ts file; empty if it is not valid.
 [[nodiscard]] std::vector<CatalogueMessage> readCatalogue(const QString& file);
 
-/// What a translation has to carry over from its source: `%1`, `%L1`, `%n` and `{}` (`{2}` counts as `{}`),
-/// sorted.
+/// The placeholders that a translation must keep from its source: `%1`, `%L1`, `%n` and `{}` (`{2}` counts as
+/// `{}`), sorted.
 [[nodiscard]] QStringList placeholders(const QString& text);
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The catalogues are held against the strings of the sources, extracted anew into copies of them.
+// Compares the catalogues with the strings of the sources, which are extracted again into copies of them.
 #include <set>
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ namespace {
 
 const QString kRoot = QStringLiteral(PROVEOUT_SOURCE_DIR);
 
-/// Copies of the catalogues, brought up to date with the sources as target update_catalogues does it.
+/// Copies of the catalogues, updated from the sources like the target update_catalogues does.
 class UpdatedCopies {
 public:
     UpdatedCopies() {
@@ -86,7 +86,7 @@ TEST_P(Catalogue, CarriesPlaceholdersOver) {
         for (const QString& translation : message.translations) {
             QStringList expected = placeholders(message.source);
             QStringList found = placeholders(translation);
-            if (message.numerus) { // "one block" need not tell the number
+            if (message.numerus) { // "one block" may omit the number
                 expected.removeAll(QStringLiteral("%n"));
                 found.removeAll(QStringLiteral("%n"));
             }

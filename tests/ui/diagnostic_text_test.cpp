@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(message(problem), std::string("0.25 mm, X1.5, part.v2.nc, 1000.5x-2.5"));
     }
 
-    /// What the core has computed is marked; a word of the program is not.
+    /// Figures computed by the core are marked; words of the program are not.
     void messagesOfTheCoreMarkTheirFigures() {
         LanguageSwitch languages;
         languages.apply(QStringLiteral("de"));

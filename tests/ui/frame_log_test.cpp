@@ -8,7 +8,7 @@
 namespace proveout {
 namespace {
 
-/// A frame after `block` of 100 blocks that took 1 ms each.
+/// A frame after `block` of 100 blocks, each of which took 1 ms.
 Frame frameAt(std::size_t block, std::uint64_t sequence) {
     Frame frame;
     frame.block = block;
@@ -37,7 +37,7 @@ private slots:
         const FrameStatistics& cut = log.rows().back();
         QCOMPARE(cut.firstBlock, 10U);
         QCOMPARE(cut.lastBlock, 20U);
-        QVERIFY(std::abs(cut.cutSeconds - 0.010f) < 1e-6f); // the mean of a block is as it was
+        QVERIFY(std::abs(cut.cutSeconds - 0.010f) < 1e-6f); // the mean per block is unchanged
         QVERIFY(std::abs(cut.drawSeconds - 0.010f) < 1e-6f);
         QVERIFY(log.add(frameAt(30, 4), 0, 0.010));
         std::uint32_t reached = 0;

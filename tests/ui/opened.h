@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opening and reading again, for tests that go on when it is through.
+// Opens and reloads files for tests that continue when the reading has finished.
 #pragma once
 
 #include <QString>
@@ -11,7 +11,7 @@ namespace proveout {
 
 inline constexpr int kOpeningPatience = 30'000; ///< ms
 
-/// Waits until nothing is being read for the document.
+/// Waits until no reading for the document is in progress.
 inline bool openingIsOver(const Session& session) {
     return QTest::qWaitFor([&] { return !session.document().isOpening(); }, kOpeningPatience);
 }

@@ -72,7 +72,7 @@ private slots:
             QVERIFY2(!button->isVisible(), qPrintable(button->accessibleName()));
         choose(form, DecimationMethod::none);
         QVERIFY(offers("method") && !offers("region") && !offers("allowance"));
-        QCOMPARE(form.values().seed, 5); // kept for the method that looks at it
+        QCOMPARE(form.values().seed, 5); // kept for the method that uses it
     }
 
 private:

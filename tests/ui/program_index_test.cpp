@@ -41,7 +41,7 @@ private slots:
     }
 
     void theStockOfSeveralOffsetsHasItsTopAtTheHighest() {
-        // The second part of the program is run again lower, and comes back.
+        // The second part of the program runs again at a lower level, and then returns.
         const StockBox stock =
             stockOf("G21 G90 G17\nG10 L2 P1 Z-50\nG10 L2 P2 Z-60\n"
                     "G54 G0 X0 Y0 Z5\nG1 Z2 F100\nX20\nG55\nG1 Z-3\nX0\nG54\nG1 Z-1\nX20\nM2\n");
@@ -50,7 +50,7 @@ private slots:
     }
 
     void theStockOfWhatIsAllAboveTheZeroReachesUpToIt() {
-        // Machinists who set Z0 at the table.
+        // For setups with Z0 at the table.
         const StockBox stock =
             stockOf("G21 G90 G17\nG10 L2 P1 Z-100\nG0 X0 Y0 Z50\nG1 Z19.5 F100\nX20\nZ12\nX0\nM2\n");
         QCOMPARE(stock.topZ(), -50.0);

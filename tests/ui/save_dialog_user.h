@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who saves under a name, is asked whether to overwrite, and says no.
+// Plays a user who saves under a name and declines to overwrite an existing file.
 #pragma once
 
 #include <QAbstractButton>
@@ -13,15 +13,16 @@
 
 namespace proveout {
 
-/// Works the next save dialog while it lives: types `name`, accepts, refuses to overwrite, and cancels.
+/// Operates the next save dialog while this object exists: types `name`, accepts, refuses to overwrite, and
+/// cancels.
 class SaveDialogUser : public QObject {
 public:
     explicit SaveDialogUser(const QString& name) : m_name(name) {
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // there is no working those
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // a test cannot operate native ones
         connect(&m_look, &QTimer::timeout, this, [this] { act(QApplication::activeModalWidget()); });
         m_look.start(20);
     }
-    /// What was asked before overwriting; empty where nothing was.
+    /// The text of the overwrite question; empty if there was none.
     [[nodiscard]] const QString& question() const { return m_question; }
 
 private:
@@ -36,7 +37,7 @@ private:
             }
             m_typed = true;
             dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(m_name);
-            // Later: a timer does not fire while what it has called waits for an answer.
+            // Queued, because a timer does not fire while its slot waits for an answer.
             QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
         }
     }

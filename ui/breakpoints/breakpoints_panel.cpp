@@ -83,7 +83,7 @@ void BreakpointsPanel::build() {
         row->addWidget(widget, widget == m_value ? 1 : 0);
     for (std::size_t kind = 0; kind < breakpointRows().size(); ++kind)
         m_kind->addItem(QString());
-    m_value->addWidget(new QWidget(this)); // in the order of BreakpointValue
+    m_value->addWidget(new QWidget(this)); // same order as BreakpointValue
     m_value->addWidget(m_line);
     m_value->addWidget(m_height);
     m_value->addWidget(m_condition);
@@ -135,13 +135,14 @@ void BreakpointsPanel::showKind() {
     m_problem->hide();
 }
 
-/// In place: the change of a row comes from that row's own check box, which must live through it.
+/// Updates the rows in place, because a change may come from a row's own check box, which must not be deleted
+/// then.
 void BreakpointsPanel::showBreakpoints() {
     const QSignalBlocker quiet(m_list);
     const auto& all = m_session.breakpoints().all();
     const int count = static_cast<int>(all.size());
     if (count != m_list->topLevelItemCount())
-        m_list->clearSelection(); // the rows are not those that were selected
+        m_list->clearSelection(); // the rows have changed, so the old selection means nothing
     while (m_list->topLevelItemCount() > count)
         delete m_list->takeTopLevelItem(count);
     while (m_list->topLevelItemCount() < count) {
@@ -160,7 +161,7 @@ void BreakpointsPanel::showRow(QTreeWidgetItem& item, const Breakpoint& breakpoi
     item.setToolTip(kKindColumn, coreText(rowOf(breakpoint.kind).help));
 }
 
-/// The one that has stopped the run is the current one.
+/// Makes the breakpoint that stopped the run the current row.
 void BreakpointsPanel::showHit(const BreakpointHit& hit) {
     const auto& all = m_session.breakpoints().all();
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -18,8 +18,8 @@ namespace proveout {
 
 class ChoiceBox;
 
-/// The breakpoints of the program: a row to add one, of a kind of the table in the core, and the list of
-/// those that there are, each with a switch.
+/// The breakpoints of the program: a row to add one, of any kind in the core's table, and below it the list
+/// of existing breakpoints, each with a check box that turns it on or off.
 class BreakpointsPanel final : public QWidget {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ private:
 
     Session& m_session;
     ChoiceBox* m_kind;
-    QStackedWidget* m_value; ///< one page a BreakpointValue, in their order
+    QStackedWidget* m_value; ///< one page per BreakpointValue, in the same order
     QSpinBox* m_line;
     QDoubleSpinBox* m_height;
     QLineEdit* m_condition;

@@ -23,9 +23,9 @@ constexpr int kRestMs = 120;
 constexpr int kColumns = 3;
 constexpr int kValueColumn = 1;
 constexpr int kMeaningColumn = 2;
-constexpr int kWide = 420; // from here on there is room for the meanings
+constexpr int kWide = 420; // px; from this width on the meanings are shown too
 constexpr int kIndentation = 14;
-constexpr int kNarrowest = 40; // of a column
+constexpr int kNarrowest = 40; // px, of a column
 
 QString coordinate(const QLocale& locale, const ControlState::Place& place, int axis) {
     const bool known = (place.known >> static_cast<unsigned>(axis) & 1U) != 0;
@@ -63,7 +63,7 @@ ControlPanel::ControlPanel(Session& session, QWidget* parent)
     connect(&session.program(), &ProgramHub::changed, this, [this] { m_rest.start(); });
     connect(&session.job(), &JobHub::setupChanged, this, [this] {
         if (m_shown)
-            fill(m_shown->controlState()); // another tool may be assumed
+            fill(m_shown->controlState()); // the assumed tool may have changed
     });
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
         if (const int line = item->data(0, Qt::UserRole).toInt(); line > 0)
@@ -83,7 +83,7 @@ void ControlPanel::retranslate() {
     m_tree->setVisible(m_shown != nullptr);
 }
 
-/// While nobody sees it, and while the block stays the same, nothing is interpreted.
+/// Interprets nothing while the panel is hidden or the block has not changed.
 void ControlPanel::ask() {
     const auto& program = m_session.program().current();
     const FramePtr frame = m_session.simulation().frame();
@@ -125,7 +125,7 @@ QTreeWidgetItem& ControlPanel::addRow(QTreeWidgetItem& parent, const QString& na
     return *row;
 }
 
-/// A tool that is assumed to be in the spindle is there for the control too.
+/// A tool that is assumed to be in the spindle also counts as the control's spindle tool.
 QString ControlPanel::valueText(const ControlState::Quantity& quantity) const {
     if (quantity.name == std::string_view(control_name::kSpindleTool))
         return toolText(static_cast<int>(quantity.value), toolChoice(m_session),

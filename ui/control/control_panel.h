@@ -14,8 +14,8 @@ class QTreeWidgetItem;
 
 namespace proveout {
 
-/// How the control stands at the block that was executed last: modal codes, positions and offsets, variables,
-/// calls. Interprets the program up to there in the background, when the playback rests.
+/// The state of the control at the block that was executed last: modal codes, positions, offsets, variables
+/// and calls. The program is interpreted up to that block in the background while playback is paused.
 class ControlPanel final : public QWidget {
     Q_OBJECT
 
@@ -43,7 +43,7 @@ private:
     ProgramSource m_source;
     QTimer m_rest;
     std::shared_ptr<const Program> m_shown;   ///< interpreted up to the block
-    std::shared_ptr<const Program> m_askedOf; ///< the session's program that was asked about last
+    std::shared_ptr<const Program> m_askedOf; ///< the session's program of the last request
     std::size_t m_askedBlock = 0;
 };
 

@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// Calls visit(a place in `now`, the same in `from`, in `to`) for the sizes of a box.
+/// Calls visit(now, from, to) with the matching members of the three boxes, for each size of a box.
 template<class Visit>
 void visitBox(StockBox& now, const StockBox& from, const StockBox& to, Visit visit) {
     visit(now.corner.x, from.corner.x, to.corner.x);
@@ -24,7 +24,7 @@ void visitBox(StockBox& now, const StockBox& from, const StockBox& to, Visit vis
     visit(now.height, from.height, to.height);
 }
 
-/// A tool as the table has it: equal where cutter and origin are.
+/// An entry of the tool table. Entries are equal if cutter and origin are equal.
 struct ToolEntry {
     const Cutter* cutter;
     const ToolOrigin* origin;
@@ -93,7 +93,7 @@ Setup carried(Setup now, const Setup& from, const Setup& to, Carry which) {
     if (boxes)
         visitBox(now.stock, from.stock, to.stock, carry);
     else
-        carry(now.stock, from.stock, to.stock); // which fits the body
+        carry(now.stock, from.stock, to.stock); // only if the stock still fits the body
     carry(now.shape, from.shape, to.shape);
     eachGridField([&](auto place, const Field&) {
         const auto grid = std::invoke(place, now);

@@ -8,17 +8,17 @@
 
 namespace proveout {
 
-/// Which of the differences are carried.
+/// Which of the differences are applied.
 enum class Carry : std::uint8_t {
     all,
-    whereSame, ///< only those in which the third setup is like `from`
+    whereSame, ///< only those where `now` still equals `from`
 };
 
-/// Brings what differs between `from` and `to` into `now`, and leaves all else as it is there: field by
-/// field, tool by tool, and the sizes of a box one by one. The spacing of an automatic grid is not carried,
-/// because it follows stock and cutters.
+/// Applies the differences between `from` and `to` to `now` and leaves everything else unchanged: field by
+/// field, tool by tool, and the sizes of a box one by one. The spacing of an automatic grid is not applied,
+/// because it follows from stock and cutters.
 [[nodiscard]] Setup carried(Setup now, const Setup& from, const Setup& to, Carry which = Carry::all);
-/// The same of the parameters, which all are carried.
+/// The same for the parameters; all differences are applied.
 [[nodiscard]] DecimationParameters carried(DecimationParameters now, const DecimationParameters& from,
                                            const DecimationParameters& to);
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kChunk = std::size_t{1} << 16;
 
-/// Whether the next bytes of the stream are these.
+/// Whether the next bytes of the stream are equal to `bytes`.
 bool holds(std::ifstream& stream, std::string_view bytes, std::vector<char>& chunk) {
     while (!bytes.empty()) {
         const std::size_t count = std::min(bytes.size(), chunk.size());

@@ -43,7 +43,7 @@ LineEnd mostFrequentLineEnd(std::string_view text) {
 
 namespace {
 
-/// The first line, 1-based, that is longer than the editor shows; 0 where there is none.
+/// The first line, 1-based, that is too long for the editor; 0 if there is none.
 std::size_t firstTooLong(const NcText& text) {
     for (std::size_t line = 0; line < text.lineCount(); ++line) {
         if (text.line(line).size() > kEditableLine)
@@ -55,7 +55,7 @@ std::size_t firstTooLong(const NcText& text) {
 } // namespace
 
 Result<Document> loadDocument(const std::filesystem::path& file, const WorkContext& context) {
-    const FileState onDisk = stateOf(file); // before: a change while it is read is one to be told
+    const FileState onDisk = stateOf(file); // taken first, so that a change during reading is reported
     Result<NcText> text = NcText::load(file, context);
     if (!text)
         return tl::unexpected(std::move(text.error()));
@@ -67,7 +67,8 @@ Result<Document> loadDocument(const std::filesystem::path& file, const WorkConte
     document.tooLongLine = firstTooLong(document.text);
     document.readOnly = document.text.size() > kEditableBytes || document.tooLongLine > 0;
     const std::vector<std::string_view> runs = document.text.runs();
-    const std::string_view bytes = runs.empty() ? std::string_view() : runs.front(); // read in one piece
+    const std::string_view bytes =
+        runs.empty() ? std::string_view() : runs.front(); // files are read in one piece
     document.utf8 = isUtf8(bytes);
     document.lineEnd = mostFrequentLineEnd(bytes);
     return document;

@@ -14,32 +14,32 @@ namespace proveout {
 
 enum class LineEnd : std::uint8_t { lf, crLf, cr };
 
-/// Texts above this size are shown read-only: an insertion in the middle of them would hold up the window.
+/// Larger texts are read-only: inserting in the middle of them would block the window.
 inline constexpr std::size_t kEditableBytes = 10'000'000;
 
-/// Texts with a longer line are shown read-only, and their lines cut off: the editor lays out a whole line
-/// whenever it paints a part of it.
+/// Texts with a longer line are read-only and their long lines are cut off, because the editor lays out a
+/// whole line whenever it paints a part of it.
 inline constexpr std::size_t kEditableLine = 20'000;
 
-/// An NC text with what a save must bring back as it was. The text is bytes: offsets of edits are byte
-/// offsets, and bytes that are not UTF-8 survive. Value type.
+/// An NC text together with everything that a save must preserve. The text is bytes: offsets of edits are
+/// byte offsets, and bytes that are not UTF-8 survive. Value type.
 struct Document {
     std::filesystem::path path; ///< empty: not saved yet
     NcText text;
     bool byteOrderMark = false;
-    bool utf8 = true;              ///< false: shown as Latin-1, one byte a character
-    LineEnd lineEnd = LineEnd::lf; ///< of most lines; a new line gets it
+    bool utf8 = true;              ///< false: shown as Latin-1, one byte per character
+    LineEnd lineEnd = LineEnd::lf; ///< the most frequent one; new lines get it
     bool modified = false;
     bool readOnly = false;
-    std::size_t tooLongLine = 0; ///< 1-based, the first one beyond kEditableLine; 0 where there is none
-    FileState onDisk;            ///< of the file, from before it was read
+    std::size_t tooLongLine = 0; ///< 1-based, the first line longer than kEditableLine; 0 if there is none
+    FileState onDisk;            ///< state of the file just before it was read
 };
 
 /// Any thread. Errors: those of NcText::load.
 [[nodiscard]] Result<Document> loadDocument(const std::filesystem::path& file,
                                             const WorkContext& context = {});
 
-/// Writes the text atomically, byte order mark included.
+/// Writes the text atomically, including the byte order mark.
 [[nodiscard]] Result<void> saveDocument(const Document& document, const std::filesystem::path& file);
 
 [[nodiscard]] LineEnd mostFrequentLineEnd(std::string_view text);

@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kUntilReportedMs = 150; ///< for a file of which no progress is told, because it is short
+constexpr int kUntilReportedMs = 150; ///< reads that end within this time report no progress
 
 template<typename T>
 Result<T> readOrReport(const std::function<Result<T>(const WorkContext&)>& read, const WorkContext& context) {
@@ -63,7 +63,7 @@ void DocumentReader::start(std::function<Result<T>(const WorkContext&)> read, Do
         WorkContext context;
         context.stop = reply.stop;
         context.progress = [this, &reply](double share) { reply.post([this, share] { progressed(share); }); };
-        // Shared, because what is posted must be copyable, and a document is handed over, not copied.
+        // Shared, because a posted function must be copyable, while the document is moved and not copied.
         const auto result = std::make_shared<Result<T>>(readOrReport(read, context));
         reply.post([this, result, done] {
             end();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading documents in the background.
+// Reads documents in the background.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@
 
 namespace proveout {
 
-/// Reads one document at a time on its own thread; a new request takes the place of the one before, of which
-/// nothing is told any more. Thread: the UI thread, which also gets results and signals. What is read belongs
-/// to the thread until it is handed over whole; the open document is not touched.
+/// Reads one document at a time on its own thread. A new request replaces the previous one, of which nothing
+/// is reported after that. Thread: the UI thread, which also receives results and signals. A document belongs
+/// to the reading thread until it is handed over complete; the open document is not touched.
 class DocumentReader : public QObject {
     Q_OBJECT
 
@@ -30,18 +30,18 @@ public:
 
     explicit DocumentReader(QObject* parent = nullptr);
 
-    /// As JobDocument::open(), with the files outside the folder of a job that the user has allowed
-    /// (job_permissions.h); what the reading throws is told as an error too.
+    /// Like JobDocument::open(), with the files outside the job's folder that the user has allowed
+    /// (job_permissions.h). An exception during reading is reported as an error too.
     void open(const QString& file, Done<JobDocument> done);
-    /// As JobDocument::restore().
+    /// Like JobDocument::restore().
     void restore(const KeptWork& kept, Done<JobDocument> done);
-    /// As JobDocument::readText().
+    /// Like JobDocument::readText().
     void readText(const std::filesystem::path& file, Done<Document> done);
-    /// Forgets what is under way.
+    /// Discards the request in progress.
     void cancel();
-    /// Until `done` is called or nobody wants to know any more.
+    /// True until `done` is called or the request is cancelled.
     [[nodiscard]] bool isReading() const { return m_reading; }
-    /// How far, in [0, 1]; empty where nothing is read, or a short file not yet for long.
+    /// Progress in [0, 1]; empty if nothing is being read, or if the reading has only just started.
     [[nodiscard]] const std::optional<double>& progress() const { return m_progress; }
 
 signals:

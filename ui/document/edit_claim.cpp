@@ -18,7 +18,8 @@ namespace {
 
 constexpr int kBetweenLooksMs = 2000;
 
-/// The same for every path that leads to the file; a digest, because a path may be longer than a name.
+/// The same name for every path that leads to the file. It is a digest, because a path may be longer than a
+/// file name may be.
 QString lockName(const QString& file) {
     const QByteArray path = QByteArray::fromStdString(absolutePath(toPath(file)).string());
     return QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha1).toHex()) +
@@ -37,7 +38,7 @@ EditClaim::EditClaim(QString root, QObject* parent) : QObject(parent), m_root(st
     connect(&m_timer, &QTimer::timeout, this, &EditClaim::look);
 }
 
-EditClaim::~EditClaim() = default; // the lock goes with its file
+EditClaim::~EditClaim() = default; // destroying the lock removes its file
 
 void EditClaim::follow(const QString& file, bool modified) {
     if (file == m_file && modified == m_modified)
@@ -60,7 +61,7 @@ void EditClaim::look() {
         emit otherChanged();
 }
 
-/// Takes the claim where this window has changes, and leaves it else.
+/// Claims the file if this window has unsaved changes, and releases it otherwise.
 std::optional<EditHolder> EditClaim::findOther() {
     if (!m_lock) {
         QDir().mkpath(m_root);
@@ -74,7 +75,7 @@ std::optional<EditHolder> EditClaim::findOther() {
     }
     if (!m_modified && !QFile::exists(m_lock->fileName()))
         return std::nullopt;
-    if (m_lock->tryLock()) { // that of a process that is gone is replaced
+    if (m_lock->tryLock()) { // a lock of a process that has ended is replaced
         if (!m_modified)
             m_lock->unlock();
         return std::nullopt;
@@ -83,7 +84,7 @@ std::optional<EditHolder> EditClaim::findOther() {
     QString application;
     if (m_lock->error() != QLockFile::LockFailedError ||
         !m_lock->getLockInfo(&other.process, &other.computer, &application))
-        return std::nullopt; // the folder cannot be written, or the claim has just been left
+        return std::nullopt; // the folder is not writable, or the claim has just been released
     return other;
 }
 

@@ -12,7 +12,7 @@ class QLockFile;
 
 namespace proveout {
 
-/// The process of a window that has unsaved changes of a file. Value type.
+/// The process whose window has unsaved changes of a file. Value type.
 struct EditHolder {
     qint64 process = 0;
     QString computer;
@@ -20,15 +20,15 @@ struct EditHolder {
     friend bool operator==(const EditHolder&, const EditHolder&) = default;
 };
 
-/// Says to the other windows of this user that a file has unsaved changes here, and notices where it has them
-/// in another one. A claim is a lock file in a folder of the application, never beside the user's file; that
-/// of a process which no longer exists on this computer does not count. It keeps nobody from saving: what is
-/// saved is compared with the disk. Thread: UI.
+/// Announces to the user's other windows that this one has unsaved changes of a file, and notices when
+/// another window has some. A claim is a lock file in a folder of the application, never next to the user's
+/// file; a claim of a process that no longer exists on this computer does not count. It does not prevent
+/// saving: a save compares the file on disk first. Thread: UI.
 class EditClaim final : public QObject {
     Q_OBJECT
 
 public:
-    /// Where the application keeps the claims.
+    /// The folder in which the application keeps the claims.
     [[nodiscard]] static QString defaultRoot();
 
     explicit EditClaim(QString root, QObject* parent = nullptr);
@@ -36,7 +36,7 @@ public:
 
     /// The file of this window (empty: none), and whether it has unsaved changes here.
     void follow(const QString& file, bool modified);
-    /// Who else has unsaved changes of it.
+    /// The other window's process that has unsaved changes of the file, if there is one.
     [[nodiscard]] const std::optional<EditHolder>& other() const { return m_other; }
 
 signals:
@@ -49,9 +49,9 @@ private:
     QString m_root;
     QString m_file;
     bool m_modified = false;
-    std::unique_ptr<QLockFile> m_lock; ///< of m_file; null: none
+    std::unique_ptr<QLockFile> m_lock; ///< for m_file; null: no claim
     std::optional<EditHolder> m_other;
-    QTimer m_timer; ///< others come and go without a word
+    QTimer m_timer; ///< polls, because other windows send no notification
 };
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths cross between Qt and the core as bytes, so that any file name survives.
+// Paths are passed between Qt and the core as bytes, so that any file name is preserved.
 #pragma once
 
 #include <filesystem>

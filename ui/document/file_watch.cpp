@@ -17,7 +17,7 @@ FileWatch::FileWatch(QObject* parent) : QObject(parent) {
     connect(&m_settle, &QTimer::timeout, this, &FileWatch::look);
     const auto settle = [this] { m_settle.start(); };
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, settle);
-    // The folder tells when a file that was removed comes back.
+    // The folder's signal reports when a removed file reappears.
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, settle);
 }
 
@@ -37,7 +37,7 @@ void FileWatch::watch(const QString& file, const FileState& known) {
     m_known = known;
     m_watcher.addPath(file);
     m_watcher.addPath(QFileInfo(file).absolutePath());
-    m_settle.start(); // what happened before is compared once the watcher misses nothing more
+    m_settle.start(); // changes before this point are compared once the watcher is set up completely
 }
 
 void FileWatch::look() {

@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-/// Tells when one file is changed by somebody else. Editors save by renaming a new file over the old one;
+/// Reports when another program changes a file. Editors save by renaming a new file over the old one;
 /// QFileSystemWatcher then forgets the path, so it is added again.
 class FileWatch : public QObject {
     Q_OBJECT
@@ -18,10 +18,10 @@ class FileWatch : public QObject {
 public:
     explicit FileWatch(QObject* parent = nullptr);
 
-    /// Watches `file`; empty: nothing. `known` is its state as it was read: what has happened to it since is
-    /// told too.
+    /// Watches `file`; empty: nothing. `known` is its state when it was read, so later changes are reported
+    /// too.
     void watch(const QString& file, const FileState& known);
-    /// From its present state on; call it after each own save.
+    /// Watches `file` from its current state on; call it after each save by this window.
     void watch(const QString& file);
 
 signals:
@@ -33,7 +33,7 @@ private:
     QString m_file;
     FileState m_known;
     QFileSystemWatcher m_watcher;
-    QTimer m_settle; ///< a rename-save is over when nothing happened for a moment
+    QTimer m_settle; ///< a save by renaming is complete when nothing has happened for a moment
 };
 
 } // namespace proveout

@@ -17,14 +17,14 @@ namespace proveout {
 
 namespace {
 
-/// Bytes of a changed file that can be compared.
+/// bytes; larger changed files cannot be compared
 constexpr std::uint64_t kLargestShown = 64'000'000;
 
 bool isJobFile(const QString& file) {
     return file.endsWith(QLatin1String(".proveout"), Qt::CaseInsensitive);
 }
 
-/// What cannot be read is of no file: whatever a save finds there then is somebody else's.
+/// A file that cannot be read counts as no file, so a save treats any content it finds there as foreign.
 DiskCopy copyOf(const std::filesystem::path& file) {
     return DiskCopy::read(file, kLargestShown).value_or(DiskCopy());
 }
@@ -33,7 +33,7 @@ DiskCopy copyOf(const Document& text) {
     return {text.text, text.byteOrderMark};
 }
 
-/// What the file held when this digest was taken, where it still does; else of no file.
+/// What the file contains, if it still has this digest; otherwise no file.
 DiskCopy copyWith(const std::string& digest, const std::filesystem::path& file) {
     DiskCopy now = copyOf(file);
     return !digest.empty() && now.digest() == digest ? now : DiskCopy();
@@ -48,7 +48,8 @@ Result<void> withHint(Result<void> result) {
     return result;
 }
 
-/// The spacing of an automatic grid is found again for every program and is no change of the user's.
+/// The spacing of an automatic grid is determined again for every program and does not count as a change by
+/// the user.
 bool isSameSetup(const Setup& a, const Setup& b) {
     if (!a.automaticGrid || !b.automaticGrid || a.spacing == b.spacing)
         return a == b;
@@ -62,7 +63,7 @@ bool isSameSetup(const Setup& a, const Setup& b) {
 Result<Document> JobDocument::readText(const std::filesystem::path& file, const WorkContext& context) {
     Result<Document> text = loadDocument(file, context);
     if (!text) {
-        // A place in a text that is not open would be shown in the one that is.
+        // The place is in a text that is not open, and would be shown in the open one.
         for (Diagnostic& error : text.error())
             error.where = {};
     }
@@ -71,7 +72,7 @@ Result<Document> JobDocument::readText(const std::filesystem::path& file, const 
 
 Result<std::filesystem::path> JobDocument::readSetup(const std::filesystem::path& file,
                                                      const OutsideRule& allowed) {
-    m_jobState = stateOf(file); // before: a change while it is read is one to be reported
+    m_jobState = stateOf(file); // taken first, so that a change during reading is reported
     m_jobOnDisk = copyOf(file);
     Result<Job> job = readJob(file, allowed);
     if (!job)
@@ -108,7 +109,8 @@ Result<JobDocument> JobDocument::open(const QString& file, const WorkContext& co
 Result<JobDocument> JobDocument::restore(const KeptWork& kept, const WorkContext& context) {
     JobDocument document;
     if (!kept.keptJob.empty()) {
-        // The text does not depend on it: a stock may come from a file that is away. The window had it open.
+        // The text does not depend on errors in the setup, e.g. a missing stock file. Any outside file is
+        // allowed, because the window had this job open before.
         if (auto named = document.readSetup(kept.keptJob, anyOutside); !named)
             document.m_warnings = std::move(named.error());
     }
@@ -139,7 +141,7 @@ Job JobDocument::job() const {
     return {program, *m_setup, m_parameters, m_machine};
 }
 
-/// Parameters alone are no reason to ask for a job file.
+/// Changed parameters alone do not require a job file.
 bool JobDocument::jobModified() const {
     return m_jobOutdated || !isSameSetup(*m_setup, *m_saved.setup) || m_machine != m_saved.machine ||
            (!m_jobFile.isEmpty() && !(m_parameters == m_saved.parameters));
@@ -179,8 +181,8 @@ std::optional<DiskConflict> JobDocument::conflict(FilePart part) const {
         return std::nullopt;
     const Result<DiskState> state = diskState(part);
     if (!state || *state != DiskState::changed)
-        return std::nullopt;                 // what cannot be read is reported by the save
-    const FileState present = stateOf(file); // before: a change while it is read is seen by the save
+        return std::nullopt;                 // the save reports that the file cannot be read
+    const FileState present = stateOf(file); // taken first, so that a change during saving is noticed
     return DiskConflict{part, file, mine(part).text(), copyOf(file), present};
 }
 
@@ -206,7 +208,7 @@ Result<void> JobDocument::saveBeside(FilePart part) {
     Result<void> written =
         part == FilePart::text ? saveTextAs(toQString(*beside)) : saveJobAs(toQString(*beside));
     if (!written) {
-        std::error_code ignored; // the empty file is nobody's
+        std::error_code ignored; // nothing is lost, because the file is empty and new
         std::filesystem::remove(*beside, ignored);
     }
     return written;
@@ -296,7 +298,7 @@ bool JobDocument::setTextModified(bool modified) {
     return before != m_text.modified;
 }
 
-/// What nobody has set up yet has an automatic grid.
+/// A setup that the user has not edited has an automatic grid.
 std::shared_ptr<const Setup> JobDocument::newSetup() {
     Setup setup;
     setup.automaticGrid = true;
@@ -317,7 +319,7 @@ void JobDocument::fitSetup(std::shared_ptr<const Setup> setup, bool forNow) {
     const std::shared_ptr<const Setup> before = m_setup;
     replaceSetup(std::move(setup));
     m_wantsStock = m_wantsStock && forNow;
-    // What the user has changed stays unsaved.
+    // Changes by the user stay marked as unsaved.
     const bool saved = isSameSetup(*before, *m_saved.setup);
     m_saved.setup =
         saved ? m_setup

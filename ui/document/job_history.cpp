@@ -23,7 +23,7 @@ public:
 
     void undo() override { m_change(m_after, m_before); }
     void redo() override {
-        if (std::exchange(m_isDone, true)) // the stack redoes what is pushed
+        if (std::exchange(m_isDone, true)) // QUndoStack calls redo() on a pushed command
             m_change(m_before, m_after);
     }
 

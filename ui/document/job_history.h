@@ -11,28 +11,28 @@
 
 namespace proveout {
 
-/// The user's steps in setup, parameters and machine, to be undone and redone. A step bears the name of the
-/// field that it changes; steps in the same field are one until closeStep(). Thread: UI.
+/// Undo and redo of the user's steps in setup, parameters and machine. A step is named after the field that
+/// it changes; consecutive steps in the same field merge until closeStep(). Thread: UI.
 class JobHistory final : public QObject {
     Q_OBJECT
 
 public:
-    /// Brings what differs between two states from the first to the second.
+    /// Applies the differences between the two states.
     using Change = std::function<void(const JobValues& from, const JobValues& to)>;
 
-    /// `change` lives as long as the history; it records nothing.
+    /// `change` must remain valid as long as the history; it must not record anything.
     explicit JobHistory(Change change, QObject* parent = nullptr);
 
-    /// The user has changed `before` into `after`.
+    /// Records that the user has changed `before` into `after`.
     void record(const JobValues& before, const JobValues& after);
-    /// What comes next is a step of its own, also where it changes the same field again.
+    /// The next change becomes a separate step, even if it changes the same field again.
     void closeStep() { ++m_visit; }
-    /// Another document: nothing can be undone.
+    /// Call it for another document: clears all steps.
     void clear();
 
     [[nodiscard]] bool canUndo() const { return m_stack.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_stack.canRedo(); }
-    /// What undo() changes, in the user's language; empty where there is nothing to undo.
+    /// What undo() changes, in the user's language; empty if there is nothing to undo.
     [[nodiscard]] QString undoName() const;
     [[nodiscard]] QString redoName() const;
     void undo();

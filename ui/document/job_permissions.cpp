@@ -15,11 +15,11 @@ namespace {
 const QString kKey = QStringLiteral("jobs/allowedOutside");
 constexpr qsizetype kMost = 1000;
 
-/// A job that was moved or copied elsewhere is another one.
+/// A job that was moved or copied counts as a different job.
 QString digestOf(const std::filesystem::path& job, const std::filesystem::path& file) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(QByteArray::fromStdString(absolutePath(job).string()));
-    hash.addData(QByteArray(1, '\0')); // which no name holds
+    hash.addData(QByteArray(1, '\0')); // a file name cannot contain it
     hash.addData(QByteArray::fromStdString(file.string()));
     return QString::fromLatin1(hash.result().toHex());
 }

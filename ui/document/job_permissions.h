@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which files outside its folder each job may name: what the user has said once is remembered in the
-// settings.
+// Which files outside its folder each job may name; the user's permissions are stored in the settings.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +11,12 @@
 
 namespace proveout {
 
-/// For a job in this file, as the settings are now. UI thread; the rule itself may be asked on any.
+/// The rule for a job in this file with the current settings. Call it on the UI thread; the rule itself may
+/// be called on any thread.
 [[nodiscard]] OutsideRule allowedOutside(const QString& jobFile);
 
-/// The job may name these files (outsideFiles()) from now on: the user has said so, or has saved it himself.
-/// The newest thousand are remembered, as digests, so that the settings tell no names. UI thread.
+/// Allows the job to name these files (outsideFiles()) from now on, because the user agreed or has saved the
+/// job. The newest thousand are stored, as digests, so that the settings reveal no file names. UI thread.
 void allowOutside(const QString& jobFile, const std::vector<std::filesystem::path>& files);
 
 } // namespace proveout

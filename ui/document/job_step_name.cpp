@@ -22,18 +22,18 @@ namespace proveout {
 
 namespace {
 
-// Numbers of fields: each group has room for its own.
+// Field numbers: each group has its own range.
 constexpr int kSetupFields = 0;
 constexpr int kStockSizes = 100;
 constexpr int kParameterFields = 200;
 constexpr int kMachineFields = 300;
-constexpr int kTools = 1000; // and the number of the tool
+constexpr int kTools = 1000; // plus the tool number
 
 QString translated(const char* text) {
     return QCoreApplication::translate("JobSteps", text);
 }
 
-/// One field of the stock that every shape has.
+/// A field of the stock that every shape has.
 struct StockPart {
     const char* name;
     bool (*same)(const Setup& a, const Setup& b);
@@ -52,7 +52,7 @@ constexpr std::array<StockPart, 4> kStock{{
      }},
 }};
 
-/// An automatic spacing follows other fields by itself.
+/// An automatic spacing changes with other fields and is not a change of its own.
 bool sameValue(const GridPlace<const double, const bool>& a, const GridPlace<const double, const bool>& b) {
     return a.automatic == b.automatic && (a.automatic || a.spacing == b.spacing);
 }
@@ -62,7 +62,7 @@ bool sameValue(const Value& a, const Value& b) {
     return a == b;
 }
 
-/// What differs, and whether all of it is of the stock.
+/// What differs, and whether all of it belongs to the stock.
 struct Differences {
     std::vector<JobStepName> names;
     bool onlyStock = true;
@@ -73,7 +73,7 @@ struct Differences {
     }
 };
 
-/// Lengths and choices of the shape, where it stays the same.
+/// Lengths and choices of the shape, if its kind stays the same.
 void addStockSizes(const Setup& before, const Setup& after, Differences& found) {
     if (before.shape.kind != after.shape.kind)
         return;
@@ -136,7 +136,7 @@ JobStepName setupName(const Setup& before, const Setup& after) {
         translated(stock ? QT_TRANSLATE_NOOP("JobSteps", "Stock") : QT_TRANSLATE_NOOP("JobSteps", "Setup"))};
 }
 
-/// Of a struct that offers describe(); `several` where more than one field differs.
+/// For a struct that has describe(); `several` is the name if more than one field differs.
 template<class Params>
 JobStepName fieldName(Params before, Params after, int firstField, const char* several) {
     std::vector<double> values;
@@ -154,11 +154,12 @@ JobStepName fieldName(Params before, Params after, int firstField, const char* s
 } // namespace
 
 JobStepName jobStepName(const JobValues& before, const JobValues& after) {
-    // The region size may follow the map: where the setup differs, that is the user's part of it.
+    // The region size may change with the z-map; if the setup differs too, the setup is what the user
+    // changed.
     if (!(*before.setup == *after.setup))
         return setupName(*before.setup, *after.setup);
     if (!(before.parameters == after.parameters)) {
-        // Another method brings its own standards along.
+        // A change of the method also sets that method's defaults.
         if (before.parameters.method != after.parameters.method)
             return {translated(QT_TRANSLATE_NOOP("JobSteps", "Decimation method")), kParameterFields};
         return fieldName(before.parameters, after.parameters, kParameterFields,

@@ -10,7 +10,7 @@ namespace proveout {
 /// What a step changes.
 struct JobStepName {
     QString text;   ///< the field as its panel labels it, in the user's language; never empty
-    int field = -1; ///< equal for steps in the same field; -1: in several
+    int field = -1; ///< equal for steps in the same field; -1: several fields
 };
 
 /// Names the step from `before` to `after`.

@@ -32,7 +32,7 @@ QString in(const QString& folder, const QString& name) {
     return QDir(folder).filePath(name);
 }
 
-/// Setup and parameters have a place of their own while they are in no job file.
+/// Setup and parameters get a job file of their own in the backup if they are not in one.
 Result<void> keepJob(const QString& folder, const JobDocument& document) {
     const QString file = in(folder, kJob);
     if (!document.jobModified()) {
@@ -41,18 +41,19 @@ Result<void> keepJob(const QString& folder, const JobDocument& document) {
     }
     Job job = document.job();
     if (job.program.empty())
-        job.program = toPath(in(folder, kText)); // a job names a program
+        job.program = toPath(in(folder, kText)); // a job must name a program
     return writeJob(toPath(file), job);
 }
 
-/// Whether the text is in no file, or not as it is; an empty new program alone is not worth it.
+/// Whether the text must be backed up because it is not saved in this form; an empty new program alone is
+/// not.
 bool isKept(const JobDocument& document) {
     const Document& text = document.text();
     const bool unsaved = text.modified || (text.path.empty() && document.jobModified());
     return unsaved && text.text.size() <= kLargestKeptText;
 }
 
-/// To find out later whether a file is still what the unsaved changes began from.
+/// To check later whether a file is still the version that the unsaved changes are based on.
 QString digestOf(const DiskCopy& copy, bool needed) {
     return needed ? QString::fromStdString(copy.digest()) : QString();
 }
@@ -92,7 +93,7 @@ Result<KeptSession> readKeptSession(const QString& folder) {
     const auto bytes = readFile(toPath(in(folder, kRecord)), kLargestRecord);
     const QJsonObject record =
         bytes ? QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object() : QJsonObject();
-    // A damaged record does not take the text along.
+    // A damaged record must not make the text unusable.
     if (record.isEmpty() && !QFile::exists(in(folder, kText)))
         return failure(window_finding::kBackupDamaged, {}, toPath(folder).string());
     const auto text = [&record](const char* key) { return record.value(QLatin1String(key)).toString(); };
@@ -125,7 +126,7 @@ Result<SessionFolder> SessionFolder::create(const QString& root) {
     if (!QDir().mkpath(path) || !lock->tryLock())
         return failure(base_finding::kFileUnwritable, {std::generic_category().message(errno)},
                        toPath(path).string());
-    // What is kept is the user's alone.
+    // The backup must be readable only by the user.
     QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return SessionFolder(path, std::move(lock));
 }
@@ -144,8 +145,8 @@ std::vector<SessionFolder> SessionFolder::abandoned(const QString& root) {
 void SessionFolder::remove() {
     for (const QString& name : {kRecord, kText, kJob})
         QFile::remove(in(m_path, name));
-    removeUnfinished(toPath(m_path)); // else the folder would stay
-    m_lock->unlock();                 // removes its file
+    removeUnfinished(toPath(m_path)); // otherwise the folder could not be removed
+    m_lock->unlock();                 // removes the lock file
     QDir().rmdir(m_path);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is kept of a session in case it does not end by itself: one folder a session, below one root.
+// Backups of sessions in case they end unexpectedly: one folder per session, below a common root.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@
 
 namespace proveout {
 
-/// Texts with more bytes are not kept: writing them every few seconds would load the disk. They are read-only
-/// anyway (kEditableBytes) and unsaved only where their file has gone.
+/// Longer texts are not backed up: writing them every few seconds would load the disk. They are read-only
+/// anyway (kEditableBytes), and unsaved only if their file has disappeared.
 inline constexpr std::size_t kLargestKeptText = 100'000'000;
 
-/// What a session consists of beside its files. Value type.
+/// What belongs to a session besides its files. Value type.
 struct SessionState {
     QStringList breakpoints; ///< as KeptBreakpoints::written()
     QByteArray layout;       ///< as MainWindow::layout()
@@ -28,35 +28,37 @@ struct SessionState {
     friend bool operator==(const SessionState&, const SessionState&) = default;
 };
 
-/// A session as it was kept. Value type.
+/// A session as it was backed up. Value type.
 struct KeptSession {
     KeptWork work;
     SessionState state;
     QDateTime time;
 
-    /// Whether there is something that is in no other file.
+    /// Whether the session contains anything that is not saved in another file.
     [[nodiscard]] bool isUnsaved() const { return !work.keptText.empty() || work.jobModified; }
 };
 
-/// Writes what `document` has in no other file, and what it belongs to, into the folder; the record comes
-/// last, and each file appears whole or not at all. Any thread; one at a time a folder. Errors: a file cannot
-/// be written.
+/// Writes the unsaved parts of `document`, and which files they belong to, into the folder. The record is
+/// written last, and each file appears complete or not at all. Any thread; only one thread at a time per
+/// folder. Errors: a file cannot be written.
 [[nodiscard]] Result<void> keepSession(const QString& folder, const JobDocument& document,
                                        const SessionState& state);
-/// Where the record is damaged, the text is that of a new program. Errors: there is neither record nor text.
+/// If the record is damaged, the text is read as that of a new program. Errors: neither record nor text
+/// exists.
 [[nodiscard]] Result<KeptSession> readKeptSession(const QString& folder);
 
-/// A new folder below the root that nobody else uses until it is removed or this process ends, however it
-/// ends. Movable.
+/// A new folder below the root that is reserved for this process until it is removed or the process ends,
+/// even by a crash. Movable.
 class SessionFolder {
 public:
-    /// Errors: the folder cannot be made.
+    /// Errors: the folder cannot be created.
     [[nodiscard]] static Result<SessionFolder> create(const QString& root);
-    /// The folders of processes of this computer that are no longer there. Those of others stay with them.
+    /// Folders left by processes of this computer that have ended. Folders of other computers are not
+    /// included.
     [[nodiscard]] static std::vector<SessionFolder> abandoned(const QString& root);
 
     [[nodiscard]] const QString& path() const { return m_path; }
-    /// With all that is in it.
+    /// Removes the folder with its content.
     void remove();
 
 private:

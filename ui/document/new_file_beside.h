@@ -7,8 +7,9 @@
 
 namespace proveout {
 
-/// Makes an empty file "name-2.nc" beside "name.nc", or with the next number that is free; no file that is
-/// there is touched, whoever makes one at the same moment. Any thread. Errors: the folder cannot be written.
+/// Creates an empty file "name-2.nc" next to "name.nc", or with the next free number. An existing file is
+/// never touched, even if another process creates one at the same moment. Any thread. Errors: the folder is
+/// not writable.
 [[nodiscard]] Result<std::filesystem::path> newFileBeside(const std::filesystem::path& file);
 
 } // namespace proveout

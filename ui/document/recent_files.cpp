@@ -20,10 +20,10 @@ bool exists(const QString& file) {
 
 } // namespace
 
-/// Who the threads answer to; they may outlive it.
+/// The receiver of the threads' results; the threads may outlive the RecentFiles.
 struct RecentFiles::Listener {
     std::mutex mutex;
-    RecentFiles* files = nullptr; ///< guarded by mutex; null when it is gone
+    RecentFiles* files = nullptr; ///< guarded by mutex; null after its destruction
 };
 
 RecentFiles::RecentFiles(QObject* parent) : RecentFiles(&exists, parent) {}
@@ -64,8 +64,8 @@ void RecentFiles::look() {
         if (m_asked.contains(file))
             continue;
         m_asked << file;
-        // One thread a file, so that those on a drive that is away hold up no others; detached, because a
-        // look at such a drive cannot be cancelled and the window must close all the same.
+        // One thread per file, so that a file on an unreachable drive does not delay the others. The threads
+        // are detached, because such a check cannot be cancelled and the window must still be able to close.
         std::thread([file, probe = m_probe, listener = m_listener] {
             const bool there = probe(file);
             const std::scoped_lock lock(listener->mutex);

@@ -13,14 +13,15 @@
 
 namespace proveout {
 
-/// The files opened last, newest first, kept in the settings; and which of them are still there. Thread: UI.
-/// A drive that is away may take minutes to answer: files are looked for in threads that nobody waits for.
+/// The most recently opened files, newest first, stored in the settings, and which of them still exist.
+/// Thread: UI. An unreachable drive may take minutes to respond, so the files are checked in threads that
+/// nothing waits for.
 class RecentFiles final : public QObject {
     Q_OBJECT
 
 public:
     static constexpr int kMost = 10;
-    /// Whether a file is there; called from any thread, may block.
+    /// Whether a file exists; called on any thread, may block.
     using Probe = std::function<bool(const QString&)>;
 
     explicit RecentFiles(QObject* parent = nullptr);
@@ -31,13 +32,13 @@ public:
     void add(const QString& file);
     void clear();
 
-    /// Looks for all files anew; changed() tells of news.
+    /// Checks all files again; changed() reports new results.
     void look();
-    /// Whether the file was not there when it was looked for last. False until that is known.
+    /// Whether the file was missing at the last check. False until that is known.
     [[nodiscard]] bool isMissing(const QString& file) const;
 
 signals:
-    /// Another list, or news of one of its files.
+    /// The list has changed, or whether one of its files exists.
     void changed();
 
 private:
@@ -48,7 +49,7 @@ private:
     Probe m_probe;
     QStringList m_files;
     std::map<QString, bool> m_there;
-    QStringList m_asked; ///< no answer yet
+    QStringList m_asked; ///< being checked
     std::shared_ptr<Listener> m_listener;
     UiQueue m_answers;
 };

@@ -26,10 +26,11 @@ namespace {
 
 constexpr const char* kContext = "EditCommands";
 constexpr int kFollowMargin = 8; // px
-// For the width of the panel.
+// Determine the width of the panel.
 constexpr std::size_t kMeasuredLines = 2000;
-constexpr double kUsualLines = 0.95;  ///< the share of them that fits …
-constexpr std::size_t kFarLonger = 2; ///< … and all, unless one is more than so many times as long
+constexpr double kUsualLines = 0.95; ///< share of the lines that must fit …
+constexpr std::size_t kFarLonger = 2; ///< … and all lines must fit, unless the longest is more than this many
+                                      ///< times as long
 
 } // namespace
 
@@ -139,7 +140,7 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     loadText();
 }
 
-/// From the document and not from the editor, which has a long text only later.
+/// Measured in the document and not in the editor, which receives a long text only later.
 QSize EditorPanel::sizeHint() const {
     const NcText& text = m_session.document().text().text;
     std::vector<std::size_t> lengths(std::min(text.lineCount(), kMeasuredLines));
@@ -161,7 +162,7 @@ void EditorPanel::makeFollowing() {
     m_followAgain->setObjectName(QStringLiteral("follow-again"));
     m_followAgain->setDefaultAction(m_follow);
     m_followAgain->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_followAgain->setFocusPolicy(Qt::NoFocus); // the caret keeps it
+    m_followAgain->setFocusPolicy(Qt::NoFocus); // so that the editor keeps the focus
     m_followAgain->hide();
     m_editor->installEventFilter(this);
     connect(m_follow, &QAction::triggered, this, &EditorPanel::chooseFollowing);
@@ -195,7 +196,7 @@ void EditorPanel::followPlayback() {
     showFollowing();
 }
 
-/// The button stands in the lower right corner of the text, and moves none of it.
+/// The button is in the lower right corner of the text and does not shift it.
 void EditorPanel::showFollowing() {
     m_followAgain->setVisible(m_session.playback().state().playing && !m_follow->isChecked());
     m_followAgain->adjustSize();
@@ -255,7 +256,7 @@ void EditorPanel::askForValues(std::uint32_t line, bool toEnd) {
     m_values.request(m_session.document().text().text, std::move(options));
 }
 
-/// First what the line says, then how often it does.
+/// First the values of the line, then how often it is executed.
 void EditorPanel::showValues(const Program& program) {
     const auto& values = program.lineValues();
     m_editor->showValues(values);
@@ -269,7 +270,7 @@ void EditorPanel::showFrame(const FramePtr& frame) {
         m_editor->showCurrentLine(0, false);
         return;
     }
-    // While the user works in the text, it does not scroll away under the caret.
+    // While the user works in the text, it must not scroll away from the cursor.
     const bool resting = !m_session.playback().state().playing;
     const bool follow = m_follow->isChecked() ? !resting || !m_editor->hasFocus()
                                               : resting && m_followingPaused && !m_editor->hasFocus();

@@ -18,18 +18,18 @@ class FileChangedBar;
 class FindBar;
 class NcEditor;
 
-/// The NC program: text, find bar, and the bar that tells of changes on the disk. Its actions() are the Edit
-/// menu.
+/// The NC program: the text, the find bar, and the bar that reports changes on disk. Its actions() are the
+/// Edit menu.
 class EditorPanel final : public QWidget {
     Q_OBJECT
 
 public:
     explicit EditorPanel(Session& session, QWidget* parent = nullptr);
     [[nodiscard]] NcEditor& editor() { return *m_editor; }
-    /// As wide as the lines of the program, but for a few long ones.
+    /// Wide enough for the program's lines, except a few long ones.
     [[nodiscard]] QSize sizeHint() const override;
-    /// Checkable: while the program plays, its current line stays in sight. Work in the text turns it off,
-    /// so that nothing scrolls away under the caret, until playback is started again or it is turned on.
+    /// Checkable: during playback the current line stays visible. Working in the text turns this off, so that
+    /// the text does not scroll away from the cursor, until playback starts again or the user turns it on.
     [[nodiscard]] QAction& followAction() { return *m_follow; }
 
 protected:
@@ -64,8 +64,8 @@ private:
     bool m_wasPlaying = false;
     bool m_followingPaused = false; ///< by work in the text, not by the user's choice
     CommandActions<EditorPanel> m_commands;
-    ProgramSource m_values; ///< interprets up to the line that the mouse points at
-    bool m_counts = false;  ///< it runs to the end, for the number of executions
+    ProgramSource m_values; ///< interpreted up to the line under the mouse
+    bool m_counts = false;  ///< m_values is interpreted to the end, to count the executions
 };
 
 } // namespace proveout

@@ -86,7 +86,7 @@ int EditorSearch::replaceAll(const QString& replacement) {
     const auto first = findForward(text, wanted, 0);
     if (!first || m_editor.isReadOnly())
         return 0;
-    // As one piece: thousands of single edits would each be told to the session.
+    // As one edit: otherwise the session would be notified of thousands of single edits.
     const std::string instead = m_editor.encoded(replacement);
     std::string changed;
     int count = 0;

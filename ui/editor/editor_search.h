@@ -13,12 +13,12 @@ namespace proveout {
 
 class NcEditor;
 
-/// How many matches there are, and which of them is selected. Value type.
+/// The number of matches, and which of them is selected. Value type.
 struct MatchTally {
-    std::size_t at = 0; ///< 1-based; 0: none of those counted
+    std::size_t at = 0; ///< 1-based; 0: none of the counted matches is selected
     std::size_t total = 0;
-    bool counting = false; ///< more may come
-    bool more = false;     ///< there are more than are counted
+    bool counting = false; ///< the count is not finished
+    bool more = false;     ///< there are more matches than are counted
 
     friend bool operator==(const MatchTally&, const MatchTally&) = default;
 };
@@ -28,20 +28,20 @@ class EditorSearch final : public QObject {
     Q_OBJECT
 
 public:
-    /// `editor` outlives this object.
+    /// `editor` must outlive this object.
     EditorSearch(NcEditor& editor, QObject* parent);
 
     void setPattern(const QString& text, bool wholeWords);
-    /// Matches are counted while somebody looks at the tally.
+    /// Matches are counted only while the tally is shown.
     void setCounting(bool on);
     [[nodiscard]] MatchTally tally() const;
 
-    /// Selects the next match after (or the last one before) the selection, round the end. False: there is
-    /// none.
+    /// Selects the next match after the selection (or the last one before it), wrapping around at the end.
+    /// False: there is no match.
     bool find(bool forward);
-    /// Replaces the selection where it is a match.
+    /// Replaces the selection if it is a match.
     void replaceSelected(const QString& replacement);
-    /// Replaces all matches as one step of undo; tells how many there were.
+    /// Replaces all matches as one undo step; returns their number.
     int replaceAll(const QString& replacement);
 
 signals:
@@ -55,7 +55,7 @@ private:
     QString m_text;
     bool m_wholeWords = false;
     bool m_counting = false;
-    QTimer m_rest; ///< typing is counted after a short rest
+    QTimer m_rest; ///< counts when the user has stopped typing for a moment
     MatchCounter m_counter;
 };
 

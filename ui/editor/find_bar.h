@@ -13,7 +13,7 @@ namespace proveout {
 class EditorSearch;
 class NcEditor;
 
-/// Find and replace beneath the text, with the number of matches.
+/// Find and replace below the text, with the number of matches.
 class FindBar final : public QWidget {
     Q_OBJECT
 
@@ -47,7 +47,7 @@ private:
     QCheckBox* m_words;
     QLabel* m_result;
     EditorSearch* m_search;
-    QString m_note; ///< what the last command did; stands in place of the tally
+    QString m_note; ///< result of the last command; shown instead of the tally
 };
 
 } // namespace proveout

@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 constexpr std::size_t kSlice = 1 << 20; // bytes, a few milliseconds
-constexpr int kReportMs = 150;          // each telling repaints the window
+constexpr int kReportMs = 150;          // each report repaints the window
 } // namespace
 
 MatchCounter::MatchCounter(Text text, QObject* parent) : QObject(parent), m_text(std::move(text)) {

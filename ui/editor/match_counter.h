@@ -14,27 +14,27 @@
 
 namespace proveout {
 
-/// Finds all matches of a pattern bit by bit, between the events of the window. Thread: UI.
+/// Finds all matches of a pattern in slices, between the events of the window. Thread: UI.
 class MatchCounter final : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr std::size_t kMost = 1'000'000; ///< matches; it stops there
-    /// The text as it is at the moment of the call.
+    static constexpr std::size_t kMost = 1'000'000; ///< matches; the search stops there
+    /// Returns the text at the moment of the call.
     using Text = std::function<std::string_view()>;
 
     MatchCounter(Text text, QObject* parent);
-    /// Begins anew; call it after each change of the text too. An empty pattern has no matches.
+    /// Starts the count again; call it after each change of the text too. An empty pattern has no matches.
     void count(const TextPattern& pattern);
 
-    /// Where those begin that were found so far, ascending; no two overlap.
+    /// Start offsets of the matches found until now, ascending; matches do not overlap.
     [[nodiscard]] const std::vector<std::size_t>& matches() const { return m_matches; }
     [[nodiscard]] bool done() const { return !m_timer.isActive(); }
-    /// There are more than kMost.
+    /// Whether there are more than kMost matches.
     [[nodiscard]] bool more() const { return m_more; }
 
 signals:
-    /// Some more were found, or all.
+    /// More matches were found, or the search has ended.
     void progressed();
 
 private:

@@ -22,17 +22,18 @@ constexpr int kProblemMargin = 1;
 constexpr int kArrowMargin = 2;
 constexpr int kArrowMarginWidth = 14;
 constexpr int kTabWidth = 4;
-constexpr int kBreakpoint = 0; // below the arrow
+constexpr int kBreakpoint = 0; // drawn below the arrow
 constexpr int kCurrentArrow = 1;
 constexpr int kCurrentBackground = 2;
 constexpr int kBreakpointOff = 3;
 constexpr int kCaretLineVeil = 12; ///< of 255
 constexpr double kCurrentTint = 0.22;
-constexpr std::size_t kMostColumns = 200;       ///< that a panel may want to show
+constexpr std::size_t kMostColumns = 200;       ///< limit for the width that a panel requests
 constexpr int kBesideText = 12;                 ///< px
-constexpr std::size_t kBytesAtOnce = 1'000'000; ///< a few milliseconds
+constexpr std::size_t kBytesAtOnce = 1'000'000; ///< takes a few milliseconds
 
-/// `share` of `b` in `a`; opaque, because a translucent marker is not drawn behind styled text.
+/// Mixes `share` of `b` into `a`. The result is opaque, because a translucent marker is not drawn behind
+/// styled text.
 QColor mixed(const QColor& a, const QColor& b, double share) {
     const auto mix = [share](int x, int y) { return static_cast<int>(x + share * (y - x)); };
     return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
@@ -42,7 +43,7 @@ unsigned long asWord(std::size_t value) {
     return static_cast<unsigned long>(value);
 }
 
-/// Keys that move the caret or the text; Shift and the like alone do not.
+/// Keys that move the cursor or scroll the text; modifiers such as Shift alone do not count.
 bool isNavigation(int key) {
     return key >= Qt::Key_Home && key <= Qt::Key_PageDown;
 }
@@ -70,7 +71,7 @@ NcEditor::NcEditor(QWidget* parent)
     setLexer(&m_highlighter);
     setUpMargins();
     setWrapMode(WrapNone);
-    setAnnotationDisplay(AnnotationHidden); // there are none; shown, each line is asked when a text comes
+    setAnnotationDisplay(AnnotationHidden); // otherwise loading a text would query each line
     setScrollWidthTracking(true);
     setScrollWidth(1);
     SendScintilla(SCI_SETCARETLINEVISIBLEALWAYS, 1UL);
@@ -89,7 +90,7 @@ NcEditor::NcEditor(QWidget* parent)
 
 void NcEditor::setUpMargins() {
     setMarginType(kNumberMargin, NumberMargin);
-    setMarginMarkerMask(kNumberMargin, 0); // a marker that a margin claims does not colour its line
+    setMarginMarkerMask(kNumberMargin, 0); // a marker that is drawn in a margin does not colour its line
     setMarginType(kArrowMargin, SymbolMargin);
     setMarginWidth(kArrowMargin, kArrowMarginWidth);
     setMarginMarkerMask(kArrowMargin, 1 << kCurrentArrow | 1 << kBreakpoint | 1 << kBreakpointOff);
@@ -116,7 +117,7 @@ void NcEditor::showDialect(DialectId dialect) {
     if (dialect == m_highlighter.dialect())
         return;
     m_highlighter.setDialect(dialect);
-    SendScintilla(SCI_STARTSTYLING, 0UL); // what is seen is coloured anew when it is painted
+    SendScintilla(SCI_STARTSTYLING, 0UL); // Scintilla restyles the visible lines when they are painted
     viewport()->update();
 }
 
@@ -127,7 +128,7 @@ void NcEditor::adoptPalette() {
     setLexer(&m_highlighter); // copies the colours into Scintilla's styles
     setPaper(colors.color(QPalette::Base));
     setCaretForegroundColor(colors.color(QPalette::Text));
-    // A veil, so that the line of the current block keeps its colour where the caret is on it.
+    // Translucent, so that the line of the current block keeps its colour when the cursor is on it.
     QColor veil = colors.color(QPalette::Text);
     veil.setAlpha(kCaretLineVeil);
     setCaretLineBackgroundColor(veil);
@@ -159,7 +160,7 @@ void NcEditor::showBreakpoints(const std::vector<int>& on, const std::vector<int
 void NcEditor::load(const Document& document) {
     m_place.reset();
     m_filling.cancel();
-    auto before = std::exchange(m_document, nullptr); // that may be much to free: not on this thread
+    auto before = std::exchange(m_document, nullptr); // freeing it here would block the window
     auto next = std::make_shared<ScintillaDocument>(*this);
     if (document.text.size() <= kBytesAtOnce) {
         fill(*next, document, {});
@@ -169,15 +170,15 @@ void NcEditor::load(const Document& document) {
     }
     showDocument(std::make_shared<ScintillaDocument>(*this), document, true);
     m_isFilling = true;
-    m_filling.start(
-        [this, before = std::move(before), next, document](const NewestTask::Reply& reply) mutable {
-            before.reset();
-            const bool whole = fill(*next, document, reply.stop);
-            reply.post([this, next, document, whole] {
-                showDocument(next, document,
-                             document.readOnly || !whole); // an edit counts on all bytes being there
-            });
+    m_filling.start([this, before = std::move(before), next,
+                     document](const NewestTask::Reply& reply) mutable {
+        before.reset();
+        const bool whole = fill(*next, document, reply.stop);
+        reply.post([this, next, document, whole] {
+            showDocument(next, document,
+                         document.readOnly || !whole); // editing requires the complete text
         });
+    });
 }
 
 void NcEditor::showDocument(std::shared_ptr<const ScintillaDocument> shown, const Document& document,
@@ -234,7 +235,7 @@ void NcEditor::showCurrentLine(int line, bool follow) {
     if (line == m_currentLine)
         return;
     const int marked = std::exchange(m_currentLine, line) - 1;
-    // All lines are gone through only where an edit has moved the mark.
+    // Searches all lines only if an edit has moved the marker.
     const bool there = marked >= 0 && (markersAtLine(marked) & (1U << kCurrentArrow)) != 0;
     for (const int mark : {kCurrentArrow, kCurrentBackground}) {
         if (there)
@@ -324,7 +325,7 @@ void NcEditor::mousePressEvent(QMouseEvent* event) {
 
 void NcEditor::mouseReleaseEvent(QMouseEvent* event) {
     QsciScintilla::mouseReleaseEvent(event);
-    // In the margins it is a breakpoint that is chosen, and the caret is elsewhere.
+    // A click in the margins sets a breakpoint and does not move the cursor.
     if (event->button() == Qt::LeftButton && !hasSelectedText() && !m_problems.isInMargins(event->pos()))
         emit lineChosen(caretLine());
 }

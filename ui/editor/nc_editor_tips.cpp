@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the editor tells about the word under the mouse.
+// The tooltip of the word under the mouse.
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// Plain text: the sentences hold words of the user's file.
+/// Escapes the text, because the sentences contain words of the user's file.
 QString asHtml(const QString& text) {
     return text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
 }
@@ -40,7 +40,7 @@ bool NcEditor::showTip(QPoint place, QPoint globalPlace) {
     return true;
 }
 
-/// What the word under the mouse means, and as soon as it is known what it says there.
+/// Shows what the word under the mouse means and, once known, its value there.
 void NcEditor::showWordTip() {
     const WordHelp& help = m_tip->word.help;
     QString tip = m_tip->problems;
@@ -55,7 +55,7 @@ void NcEditor::showWordTip() {
 
 void NcEditor::showValues(std::shared_ptr<const LineValues> values) {
     m_values = std::move(values);
-    // A tip that was left is gone, and does not come back for an answer that came late.
+    // A closed tooltip must not reappear when its values arrive late.
     if (m_values && m_tip && m_tip->word.line == m_values->line && QToolTip::isVisible())
         showWordTip();
 }

@@ -31,7 +31,7 @@ bool isLetter(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-/// The end of the word that begins at `begin` with a letter: the number behind it, spaces allowed.
+/// The end of the word whose letter is at `begin`: after its number, which spaces may precede.
 std::size_t wordEnd(std::string_view line, std::size_t begin) {
     std::size_t end = begin + 1;
     for (std::size_t i = begin + 1; i < line.size(); ++i) {
@@ -43,7 +43,7 @@ std::size_t wordEnd(std::string_view line, std::size_t begin) {
     return end;
 }
 
-/// Whether a G or M word, e.g. "G01" or "g 38.2", is one that the interpreter carries out.
+/// Whether the interpreter supports a G or M word, e.g. "G01" or "g 38.2".
 bool isSupportedCode(std::string_view word, DialectId dialect) {
     std::string digits(word.substr(1));
     std::erase_if(digits, [](char c) { return isOneOf(c, " \t"); });
@@ -112,7 +112,7 @@ const char* NcHighlighter::language() const {
 }
 
 QString NcHighlighter::description(int style) const {
-    // Scintilla asks for names until it gets an empty one; they are shown nowhere.
+    // Scintilla asks for style names until it gets an empty one; the names are not shown anywhere.
     return style < kNcStyleCount ? QString::number(style) : QString();
 }
 
@@ -122,7 +122,7 @@ void NcHighlighter::styleText(int start, int end) {
         view->SendScintilla(QsciScintilla::SCI_LINEFROMPOSITION, static_cast<unsigned long>(start));
     const long from =
         view->SendScintilla(QsciScintilla::SCI_POSITIONFROMLINE, static_cast<unsigned long>(firstLine));
-    std::string text(static_cast<std::size_t>(end - from) + 1, '\0'); // Scintilla ends it with a zero
+    std::string text(static_cast<std::size_t>(end - from) + 1, '\0'); // Scintilla appends a zero
     view->SendScintilla(QsciScintilla::SCI_GETTEXTRANGE, from, static_cast<long>(end), text.data());
     text.pop_back();
     std::string styles;

@@ -14,18 +14,18 @@ namespace proveout {
 enum class NcStyle : char {
     plain,
     comment,
-    code,        ///< a G or M word that is carried out
-    unknownCode, ///< a G or M word that is not
+    code,        ///< a supported G or M word
+    unknownCode, ///< an unsupported G or M word
     coordinate,  ///< axis, arc and other words with a value
     machine,     ///< F, S, T
-    label,       ///< N, O, %, block delete, words of letters as IF and sub
+    label,       ///< N, O, %, block delete, keywords such as IF and sub
 };
 inline constexpr int kNcStyleCount = 7;
 
 /// The style of every byte of one line; comments do not cross lines.
 [[nodiscard]] std::string styleLine(std::string_view line, DialectId dialect);
 
-/// Colours the NC text by words. Set it before a text is loaded: Scintilla then styles only what it shows.
+/// Colours the words of NC text. Set it before a text is loaded: Scintilla then styles only the visible part.
 class NcHighlighter final : public QsciLexerCustom {
     Q_OBJECT
 
@@ -35,9 +35,9 @@ public:
     [[nodiscard]] const char* language() const override;
     [[nodiscard]] QString description(int style) const override;
     void styleText(int start, int end) override;
-    /// Takes the colours of the application's palette.
+    /// Uses the colours of the application's palette.
     void adoptPalette();
-    /// Whose codes are known ones, from the next styling on.
+    /// The dialect whose codes are coloured as supported, from the next styling on.
     [[nodiscard]] DialectId dialect() const { return m_dialect; }
     void setDialect(DialectId dialect) { m_dialect = dialect; }
 

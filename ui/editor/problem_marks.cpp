@@ -21,9 +21,9 @@ namespace {
 
 using Scintilla = QsciScintilla;
 
-constexpr int kErrorSquiggle = 8; // 0 … 7 belong to lexers
+constexpr int kErrorSquiggle = 8; // 0 … 7 are reserved for lexers
 constexpr int kWarningSquiggle = 9;
-constexpr int kFirstMark = 8; // 0 … 7 are left to others
+constexpr int kFirstMark = 8; // 0 … 7 are reserved for other markers
 constexpr int kMarkSize = 13;
 constexpr int kMarginWidth = 16;
 constexpr int kMostMargins = 5;
@@ -96,8 +96,8 @@ void ProblemMarks::clear() {
     m_marked.clear();
 }
 
-/// Scintilla goes through all lines for each kind of mark. Marks that all stand where they were put are the
-/// only ones: an edit moves them, or joins some, and adds none.
+/// Removing by kind makes Scintilla search all lines once per kind. If every mark is still where it was set,
+/// removing them line by line is enough, because an edit moves or joins marks but never adds one.
 void ProblemMarks::removeMarks() {
     bool moved = false;
     for (const int line : m_marked) {
@@ -118,7 +118,7 @@ std::pair<long, long> ProblemMarks::rangeOf(const Diagnostic& problem) const {
     const long end = m_text.SendScintilla(Scintilla::SCI_GETLINEENDPOSITION, line);
     const long from = std::min(end, begin + std::max(0, problem.where.column - 1));
     const long length = problem.where.length > 0 ? problem.where.length : end - from;
-    // A message about the end of a line still needs something to be seen under.
+    // A message at the end of a line still needs a character to underline.
     const long to = std::min(end, from + length);
     return to > from ? std::pair(from, to) : std::pair(begin, end);
 }
@@ -134,7 +134,7 @@ int ProblemMarks::lineAt(QPoint place) const {
     const auto position = static_cast<unsigned long>(m_text.SendScintilla(
         Scintilla::SCI_POSITIONFROMPOINT, static_cast<unsigned long>(std::max(0, place.x())), place.y()));
     const long line = m_text.SendScintilla(Scintilla::SCI_LINEFROMPOSITION, position);
-    // Below the last line Scintilla answers with it.
+    // For a position below the last line Scintilla returns the last line.
     const long top =
         m_text.SendScintilla(Scintilla::SCI_POINTYFROMPOSITION, 0UL, static_cast<long>(position));
     const long height = m_text.SendScintilla(Scintilla::SCI_TEXTHEIGHT, static_cast<unsigned long>(line));

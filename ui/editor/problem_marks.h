@@ -12,22 +12,22 @@ class QsciScintilla;
 
 namespace proveout {
 
-/// Problems in a text: a squiggle under the place, and in the margin of the line the icon of the worst one,
-/// a shape for each severity. Thread: UI.
+/// Problems in a text: a squiggle under the position, and in the margin of the line the icon of the most
+/// severe problem, with a different shape for each severity. Thread: UI.
 class ProblemMarks {
 public:
-    /// `text` outlives this object; the icons stand in its margin number `margin`.
+    /// `text` must outlive this object; the icons are shown in its margin number `margin`.
     ProblemMarks(QsciScintilla& text, int margin);
 
-    /// Takes the colours of the application's palette.
+    /// Uses the colours of the application's palette.
     void adoptPalette();
     void show(const Diagnostics& problems);
-    /// Forgets them: the text has been replaced.
+    /// Clears all problems because the text has been replaced.
     void clear();
-    /// What is told at a place of the viewport: of the squiggle there, or of the whole line in the margins.
-    /// Empty where there is nothing.
+    /// The tooltip text at a position of the viewport: of the squiggle there, or of the whole line in the
+    /// margins. Empty if there is none.
     [[nodiscard]] QString tipAt(QPoint place) const;
-    /// Whether a place of the viewport is left of the text.
+    /// Whether a position of the viewport is left of the text.
     [[nodiscard]] bool isInMargins(QPoint place) const;
 
 private:
@@ -38,7 +38,7 @@ private:
     QsciScintilla& m_text;
     int m_margin;
     Diagnostics m_problems;
-    std::vector<int> m_marked; ///< lines (0-based), each once, as they were when they were marked
+    std::vector<int> m_marked; ///< lines (0-based) as they were when marked, without duplicates
 };
 
 } // namespace proveout

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// Scintilla's own interface, in the order of its ILoader.h, which QScintilla does not install.
+/// Scintilla's own interface; the order is that of its ILoader.h, which QScintilla does not install.
 class ScintillaLoader {
 public:
     virtual int Release() = 0;
@@ -24,17 +24,17 @@ protected:
 
 namespace {
 
-// The sanitizer that compares types by name does not find Scintilla's under this one.
+// UBSan compares types by name and would not recognise Scintilla's class under this name.
 #define PROVEOUT_OF_SCINTILLA __attribute__((no_sanitize("vptr")))
 
-/// As much as is added between two looks whether to stop. Scintilla's buffer grows by a sixth each time at
-/// least.
+/// Bytes appended between two checks for a stop request. Scintilla's buffer grows by at least a sixth each
+/// time.
 constexpr std::size_t kSlice = std::size_t{16} << 20;
 constexpr std::size_t kShownOfALine = 2000;
 
 } // namespace
 
-// No bytes are reserved yet: Scintilla would clear them here, on the UI thread.
+// Reserves no bytes here, because Scintilla would clear them on the UI thread.
 ScintillaDocument::ScintillaDocument(const QsciScintillaBase& view)
     : m_loader(
           static_cast<ScintillaLoader*>(view.SendScintillaPtrResult(QsciScintillaBase::SCI_CREATELOADER))) {}

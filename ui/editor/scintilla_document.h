@@ -12,29 +12,30 @@ namespace proveout {
 
 class ScintillaLoader;
 
-/// A document of Scintilla, which can be filled before a view shows it (SCI_CREATELOADER in the manual of
-/// Scintilla). Made and shown on the UI thread. While no view shows it, it may be filled and destroyed on any
-/// thread, one at a time: its count of owners is no atomic. Once it is shown, it belongs to the UI thread
+/// A Scintilla document, which can be filled before a view shows it (see SCI_CREATELOADER in the Scintilla
+/// manual). Created and shown on the UI thread. Until a view shows it, it may be filled and destroyed on any
+/// thread, one at a time, because its reference count is not atomic. Once shown, it belongs to the UI thread
 /// until the view has another one.
 class ScintillaDocument {
 public:
-    /// An empty one, without undo history and with Scintilla's default settings.
+    /// An empty document, without undo history and with Scintilla's default settings.
     explicit ScintillaDocument(const QsciScintillaBase& view);
     ScintillaDocument(const ScintillaDocument&) = delete;
     ScintillaDocument& operator=(const ScintillaDocument&) = delete;
     ~ScintillaDocument();
 
-    /// Appends a text. False where memory was short, or where it was to stop: then its rest is missing.
+    /// Appends a text. False if memory was insufficient or a stop was requested: the rest of the text is
+    /// missing then.
     bool fill(const NcText& text, const std::stop_token& stop = {});
-    /// The same of a text with lines that are too long to be laid out: where a line is cut off, dots follow.
+    /// The same for a text with lines that are too long to be laid out: they are cut off and end in dots.
     bool fillCutOff(const NcText& text, const std::stop_token& stop = {});
-    /// In place of the one that the view shows.
+    /// Replaces the document that the view shows.
     void showIn(const QsciScintillaBase& view) const;
 
 private:
     bool add(std::string_view bytes);
 
-    ScintillaLoader* m_loader; ///< one of the owners that the document counts
+    ScintillaLoader* m_loader; ///< one of the references that the document counts
 };
 
 } // namespace proveout

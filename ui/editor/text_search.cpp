@@ -12,7 +12,7 @@ char lower(char c) {
 }
 
 bool isLetter(char c) {
-    // A byte beyond ASCII belongs to a letter of some other alphabet.
+    // A byte beyond ASCII belongs to a letter of another alphabet.
     return (lower(c) >= 'a' && lower(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
@@ -20,7 +20,7 @@ bool isOfNumber(char c) {
     return (c >= '0' && c <= '9') || c == '.';
 }
 
-/// Whether a word goes on from one byte to the next.
+/// Whether two adjacent bytes belong to the same word.
 bool joined(char a, char b) {
     return (isLetter(a) && isLetter(b)) || (isOfNumber(a) && isOfNumber(b));
 }

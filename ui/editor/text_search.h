@@ -8,25 +8,25 @@
 
 namespace proveout {
 
-/// What is looked for in an NC text. Value type.
+/// The pattern of a search in an NC text. Value type.
 struct TextPattern {
-    std::string bytes; ///< in the encoding of the text; the letters A to Z match in either case
-    /// A letter at an end of the pattern has no letter beside it, a digit or point no digit or point: "G2" is
-    /// found in "G2X10" and in "N5G2", not in "G21", "G2.1" or "G02".
+    std::string bytes; ///< in the encoding of the text; A to Z match regardless of case
+    /// A letter at either end of the pattern must not be next to another letter, nor a digit or point next to
+    /// a digit or point: "G2" is found in "G2X10" and in "N5G2", but not in "G21", "G2.1" or "G02".
     bool wholeWords = false;
 
     friend bool operator==(const TextPattern&, const TextPattern&) = default;
 };
 
-/// Whether the pattern stands at `at`. Nothing is found of an empty one.
+/// Whether the pattern matches at `at`. An empty pattern never matches.
 [[nodiscard]] bool matchesAt(std::string_view text, const TextPattern& pattern, std::size_t at);
 
-/// Where the first match begins of those that begin in [from, stop).
+/// Start of the first match that begins in [from, stop).
 [[nodiscard]] std::optional<std::size_t> findForward(std::string_view text, const TextPattern& pattern,
                                                      std::size_t from,
                                                      std::size_t stop = std::string_view::npos);
 
-/// Where the last match begins of those that begin before `before`.
+/// Start of the last match that begins before `before`.
 [[nodiscard]] std::optional<std::size_t> findBackward(std::string_view text, const TextPattern& pattern,
                                                       std::size_t before);
 

@@ -62,7 +62,7 @@ QString parameterText(const WordHelp& help, const LineValues& values) {
            QCoreApplication::translate("WordTip", "After this line: %1").arg(shown(*parameter->after));
 }
 
-/// "G54 (work offset 1)"; several where a group has them.
+/// "G54 (work offset 1)"; several if a group has several.
 QString modesOf(const std::vector<ControlState::Mode>& modes, const char* group) {
     QStringList texts;
     for (const ControlState::Mode& mode : modes)

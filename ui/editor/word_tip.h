@@ -11,8 +11,8 @@ namespace proveout {
 /// The meaning of a word in a dialect as a short text of one to three lines.
 [[nodiscard]] QString readableHelp(const WordHelp& help, DialectId dialect);
 
-/// What the word says where its line is executed first: the value with its unit, the parameter before and
-/// behind the line, the codes of its group that are in force. Empty where there is nothing to say.
+/// The values of a word when its line is first executed: the value with its unit, the parameter before and
+/// after the line, the active codes of its group. Empty if there is nothing to show.
 [[nodiscard]] QString readableValues(const WordHelp& help, const LineValues& values);
 
 } // namespace proveout

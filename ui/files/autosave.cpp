@@ -47,7 +47,7 @@ void Autosave::keepNow(std::function<void()> done) {
     m_otherDocument = false;
     m_keptRevision = m_session.document().job().revision();
     m_keptState = state();
-    // The thread has values of its own: the text is shared and immutable.
+    // The thread gets its own copies; the text is shared and immutable.
     m_task.start([this, folder = m_folder->path(), document = m_session.document().job(), state = m_keptState,
                   done = std::move(done)](const NewestTask::Reply& reply) {
         const Result<void> kept = keepOrReport(folder, document, state);
@@ -66,7 +66,7 @@ void Autosave::end() {
     m_timer.stop();
     if (!m_folder)
         return;
-    // Behind what is being written.
+    // Runs after the write in progress.
     m_task.start([folder = std::make_shared<SessionFolder>(std::move(*m_folder))](const NewestTask::Reply&) {
         folder->remove();
     });

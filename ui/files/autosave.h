@@ -14,20 +14,20 @@
 
 namespace proveout {
 
-/// Keeps what a session has not saved: looks every few seconds whether there is something new, and writes it
-/// into a folder of its own, on a thread of its own. The files of the user are never touched. Thread: UI.
+/// Backs up unsaved work of a session: checks every few seconds for changes and writes them into a folder of
+/// its own on its own thread. The user's files are never touched. Thread: UI.
 class Autosave final : public QObject {
     Q_OBJECT
 
 public:
     static constexpr int kIntervalMs = 5000;
 
-    /// The session outlives this object. `layout` is asked for the layout of the window.
+    /// The session must outlive this object. `layout` returns the layout of the window.
     Autosave(Session& session, const QString& root, std::function<QByteArray()> layout);
 
-    /// Writes now; `done` is called when it is written, not where that failed.
+    /// Writes now; `done` is called after a successful write.
     void keepNow(std::function<void()> done);
-    /// The session ends by itself: nothing has to be kept of it any more.
+    /// The session ends normally: its backup is no longer needed.
     void end();
 
 private:
@@ -36,13 +36,13 @@ private:
 
     Session& m_session;
     std::function<QByteArray()> m_layout;
-    std::optional<SessionFolder> m_folder; ///< nothing: it cannot be made, or the session has ended
+    std::optional<SessionFolder> m_folder; ///< empty: it cannot be created, or the session has ended
     std::uint64_t m_keptRevision = 0;
     SessionState m_keptState;
     bool m_otherDocument = true; ///< since the last time
-    bool m_failed = false;       ///< which is reported once
+    bool m_failed = false;       ///< reported only once
     QTimer m_timer;
-    NewestTask m_task; ///< last: its thread ends before what it posts to
+    NewestTask m_task; ///< last member: its thread must end before the members that it posts to are destroyed
 };
 
 } // namespace proveout

@@ -49,7 +49,7 @@ QWidget* CompareDialog::makePage(const Comparison& comparison) {
     view->show(comparison.before, comparison.after, kMostLines);
     view->setAccessibleName(tr("Differences of %1").arg(comparison.title));
     auto* summary = wrappedLabel(page);
-    summary->setTextFormat(Qt::PlainText); // the names are the user's
+    summary->setTextFormat(Qt::PlainText); // the names come from the user
     if (view->changeCount() == 0)
         summary->setText(tr("Both versions of %1 have the same lines.").arg(comparison.title));
     else

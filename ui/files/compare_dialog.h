@@ -14,16 +14,16 @@ namespace proveout {
 /// Two versions of one file. Value type.
 struct Comparison {
     QString title; ///< of the file
-    NcText before; ///< on the disk
+    NcText before; ///< the version on disk
     NcText after;
-    QString afterName; ///< where the other version is, e.g. "in this window"
+    QString afterName; ///< name of the other version, e.g. "in this window"
 };
 
-/// Of the version on the disk with that of the window.
+/// Compares the version on disk with that of the window.
 [[nodiscard]] Comparison comparisonOf(const DiskConflict& conflict);
 
-/// Shows where versions of files differ: one page a file, lines that only one version has are coloured and
-/// marked by their sign, with a few equal lines around them. Shows no more than kMostLines of a file.
+/// Shows where versions of files differ: one page per file. Lines that only one version has are coloured and
+/// marked with a sign, and shown with a few equal lines around them. Shows at most kMostLines of a file.
 class CompareDialog final : public QDialog {
     Q_OBJECT
 

@@ -17,7 +17,7 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kContext = 3;       ///< equal lines before and after a difference
-constexpr std::size_t kLongestLine = 400; ///< bytes that are shown of one
+constexpr std::size_t kLongestLine = 400; ///< bytes; the rest of a line is not shown
 
 std::vector<std::string_view> linesOf(const NcText& text) {
     std::vector<std::string_view> lines(text.lineCount());
@@ -78,7 +78,7 @@ void DifferenceView::collect(const NcText& before, const NcText& after, int most
     m_lines.clear();
     m_starts.clear();
     m_cut = false;
-    std::size_t at = 0; // of the old lines: shown up to here
+    std::size_t at = 0; // old lines up to here are shown already
     const auto isFull = [&] { return static_cast<int>(m_lines.size()) >= mostLines; };
     for (std::size_t c = 0; c < m_changes.size() && !m_cut; ++c) {
         const LineChange& change = m_changes[c];

@@ -12,9 +12,9 @@
 
 namespace proveout {
 
-/// A read-only view of the differences of two texts, in one column: lines of the first alone, of the second
-/// alone, and a few that both have. Each line has its number in both texts and a sign, so that colour is not
-/// all that tells them apart.
+/// A read-only view of the differences between two texts in one column: lines that only the first or only the
+/// second has, and a few lines that both have. Each line has its number in both texts and a sign, so that the
+/// difference does not depend on colour alone.
 class DifferenceView final : public QPlainTextEdit {
     Q_OBJECT
 
@@ -28,9 +28,9 @@ public:
     [[nodiscard]] std::size_t changeCount() const { return m_changes.size(); }
     [[nodiscard]] std::size_t removedLines() const;
     [[nodiscard]] std::size_t addedLines() const;
-    /// Whether there were more lines than were to be shown.
+    /// Whether some lines were not shown because of the limit.
     [[nodiscard]] bool isCut() const { return m_cut; }
-    /// Scrolls to the next difference, -1: to the one before.
+    /// Scrolls to the next difference, or with -1 to the previous one.
     void go(int direction);
 
 protected:
@@ -51,7 +51,7 @@ private:
 
     std::vector<LineChange> m_changes;
     std::vector<Line> m_lines;
-    std::vector<int> m_starts; ///< the line that each difference begins with
+    std::vector<int> m_starts; ///< the first line of each difference
     bool m_cut = false;
 };
 

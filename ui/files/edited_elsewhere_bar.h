@@ -10,12 +10,13 @@ class QLabel;
 
 namespace proveout {
 
-/// "bracket.nc has unsaved changes in another window", above what the file holds, as long as that is so.
+/// "bracket.nc has unsaved changes in another window": a bar above the content of the file, shown as long as
+/// that is so.
 class EditedElsewhereBar final : public QFrame {
     Q_OBJECT
 
 public:
-    /// The session outlives the bar.
+    /// The session must outlive the bar.
     EditedElsewhereBar(Session& session, FilePart part, QWidget* parent);
 
 protected:

@@ -38,19 +38,19 @@ const FileFormat* formatOf(const std::vector<MeshFilter>& filters, const QString
     return found == filters.end() ? filters.front().format : found->format;
 }
 
-/// Whether files of the format may end as this one does.
+/// Whether the file name ends in an extension of the format.
 bool endsAs(const QString& file, const FileFormat& format) {
     return std::ranges::any_of(format.extensions, [&file](const char* extension) {
         return file.endsWith(QLatin1String(extension), Qt::CaseInsensitive);
     });
 }
 
-/// Without the dot.
+/// The first extension of the format, without the dot.
 QString defaultExtension(const FileFormat& format) {
     return QString::fromLatin1(format.extensions.front() + 1);
 }
 
-/// The name with the ending of the format, in the place of that of another mesh format.
+/// The name with the extension of the format, which replaces that of another mesh format.
 QString withEndingOf(const QString& file, const FileFormat& format) {
     if (endsAs(file, format))
         return file;
@@ -60,8 +60,8 @@ QString withEndingOf(const QString& file, const FileFormat& format) {
                                defaultExtension(format));
 }
 
-/// What to write where this name was typed and this filter chosen. An ending that no mesh format has is part
-/// of the name: "bracket 1.5", and no program is overwritten by a mesh.
+/// The file to write for the typed name and the chosen filter. An extension that does not belong to a mesh
+/// format is part of the name: "bracket 1.5" is allowed, and a mesh never overwrites a program.
 ExportTarget targetOf(const QString& typed, const FileFormat& chosen) {
     const auto named = meshFormatOf(toPath(typed));
     if (named && !endsAs(typed, chosen))
@@ -74,7 +74,7 @@ bool mayReplace(QWidget& dialog, const QString& file) {
                          QCoreApplication::translate("Export", "%1 already exists. Replace it?")
                              .arg(QFileInfo(file).fileName()),
                          QMessageBox::Yes | QMessageBox::No, &dialog);
-    question.setTextFormat(Qt::PlainText); // the name is the user's
+    question.setTextFormat(Qt::PlainText); // the name comes from the user
     question.setDefaultButton(QMessageBox::No);
     return question.exec() == QMessageBox::Yes;
 }
@@ -100,12 +100,12 @@ std::optional<ExportTarget> askForExport(QWidget& parent, const QString& title, 
     QFileDialog dialog(&parent, title);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setFileMode(QFileDialog::AnyFile);
-    dialog.setOption(QFileDialog::DontConfirmOverwrite); // asked below, of the completed name
+    dialog.setOption(QFileDialog::DontConfirmOverwrite); // asked below, for the completed name
     dialog.setNameFilters(texts);
     dialog.selectFile(proposal + QLatin1Char('.') + defaultExtension(*filters.front().format));
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& text) {
         const QString typed = dialog.selectedFiles().value(0);
-        if (!QFileInfo(typed).isDir()) // nothing is typed
+        if (!QFileInfo(typed).isDir()) // a folder means that no name was typed
             dialog.selectFile(withEndingOf(typed, *formatOf(filters, text)));
     });
     while (dialog.exec() == QDialog::Accepted) {

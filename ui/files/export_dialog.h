@@ -15,14 +15,14 @@ struct ExportTarget {
     const FileFormat* format = nullptr;
 };
 
-/// "*.stl", from the row of the format, for the filter of a file dialog.
+/// "*.stl": the extensions of the format, for the filter of a file dialog.
 [[nodiscard]] QString formatPatterns(const FileFormat& format);
 /// "STL, binary (*.stl)".
 [[nodiscard]] QString formatFilter(const FileFormat& format);
 
-/// Asks for the mesh file to write: one filter a format of the table. Choosing a filter changes the ending;
-/// an ending that was typed outranks the filter where it names another mesh format, any other name gets the
-/// ending of the filter. Asks before a file is replaced. Nothing where the user cancelled. UI thread.
+/// Asks for the mesh file to write, with one filter per format of the table. Choosing a filter changes the
+/// extension. A typed extension overrides the filter if it names another mesh format; any other name gets the
+/// extension of the filter. Asks before a file is replaced. Empty if the user cancelled. UI thread.
 [[nodiscard]] std::optional<ExportTarget> askForExport(QWidget& parent, const QString& title,
                                                        const QString& proposal);
 

@@ -19,7 +19,7 @@ FileChangedBar::FileChangedBar(Session& session, FilePart part, QWidget* parent)
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     m_text->setForegroundRole(QPalette::ToolTipText);
-    m_text->setTextFormat(Qt::PlainText); // the name is the user's
+    m_text->setTextFormat(Qt::PlainText); // the name comes from the user
     m_text->setWordWrap(true);
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
@@ -92,7 +92,7 @@ void FileChangedBar::compare() {
     if (const auto conflict = m_session.document().conflict(m_part))
         CompareDialog({comparisonOf(*conflict)}, this).exec();
     else
-        hide(); // it was changed back
+        hide(); // the change was reverted on disk
 }
 
 void FileChangedBar::retranslate() {

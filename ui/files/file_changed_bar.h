@@ -10,13 +10,13 @@ class QPushButton;
 
 namespace proveout {
 
-/// "bracket.nc has changed on disk: Reload, Keep My Version, Compare", above what the file holds instead of a
-/// dialog. Comes and goes by itself with the signals of the session.
+/// "bracket.nc has changed on disk: Reload, Keep My Version, Compare": a bar above the content of the file,
+/// used instead of a dialog. The session's signals show and hide it.
 class FileChangedBar final : public QFrame {
     Q_OBJECT
 
 public:
-    /// The session outlives the bar.
+    /// The session must outlive the bar.
     FileChangedBar(Session& session, FilePart part, QWidget* parent);
 
 protected:

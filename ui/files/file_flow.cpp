@@ -27,7 +27,7 @@ namespace proveout {
 
 namespace {
 
-/// Names that programs commonly have.
+/// Common extensions of NC programs.
 const QString kProgramPatterns =
     QStringLiteral("*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt");
 
@@ -37,7 +37,7 @@ FileFlow::FileFlow(Session& session, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {
     connect(&session.problems(), &ProblemsHub::troubled, this, [this] { m_closeAfterExport = false; });
     connect(&session.document(), &DocumentHub::opened, &m_recent, &RecentFiles::add);
-    // Later: what has found out is still about to end.
+    // Queued, because the sender has not finished yet.
     connect(&session.document(), &DocumentHub::outsideFilesNamed, this, &FileFlow::askAboutOutside,
             Qt::QueuedConnection);
     connect(&session.exports(), &ExportHub::exported, this, [this] {
@@ -108,7 +108,7 @@ bool FileFlow::settle(const std::function<std::optional<DiskConflict>()>& next) 
     return true;
 }
 
-/// Whatever was asked about may change again before it is written; the session then refuses to overwrite it.
+/// The file may change again between the question and the write; the session then refuses to overwrite it.
 bool FileFlow::saveFiles() {
     if (!settle([this] { return m_session.document().conflict(); }))
         return false;
@@ -134,7 +134,7 @@ void FileFlow::reportSaved(bool text, bool job) {
     emit saved(message);
 }
 
-/// What is typed in a field counts too, although the field still has the focus.
+/// Text typed in a field counts too, even if the field still has the focus.
 void FileFlow::collectChanges() {
     if (QWidget* field = QApplication::focusWidget())
         finishTyping(*field);
@@ -149,7 +149,7 @@ bool FileFlow::save() {
     const bool needsJobFile =
         m_session.document().jobFile().isEmpty() || isSample(m_session.document().jobFile());
     if (!document.modified && m_session.document().modified() && needsJobFile)
-        return saveJobAs(); // only the setup was changed, and it has no file of its own yet
+        return saveJobAs(); // only the setup was changed, and it has no file yet
     return saveFiles();
 }
 
@@ -173,7 +173,7 @@ bool FileFlow::saveTextAs(const QString& file) {
         if (!settle([this] { return m_session.document().conflict(FilePart::text); }))
             return false;
         if (toQString(m_session.document().text().path) != file)
-            return true; // both were kept
+            return true; // both files were kept on disk
     }
     if (!m_session.document().saveAs(file))
         return false;
@@ -183,7 +183,7 @@ bool FileFlow::saveTextAs(const QString& file) {
 
 bool FileFlow::saveJobAs() {
     if (m_session.document().text().path.empty() && !saveAs())
-        return false; // a job names its program
+        return false; // a job must name its program
     QString proposal = m_session.document().jobFile();
     if (proposal.isEmpty() || isSample(proposal)) {
         const QFileInfo program(toQString(m_session.document().text().path));
@@ -198,7 +198,7 @@ bool FileFlow::saveJobAs() {
         if (!settle([this] { return m_session.document().conflict(FilePart::job); }))
             return false;
         if (m_session.document().jobFile() != file)
-            return true; // both were kept
+            return true; // both files were kept on disk
     }
     if (!m_session.document().saveJobAs(file))
         return false;
@@ -207,7 +207,7 @@ bool FileFlow::saveJobAs() {
     return true;
 }
 
-/// With the moment of the stock where the program is half run.
+/// Adds the block of the stock if the program has not run to its end.
 QString FileFlow::titled(const QString& title) const {
     const QString moment = momentText(m_session);
     return moment.isEmpty() ? title : title + QStringLiteral(" – ") + moment;
@@ -256,7 +256,7 @@ bool FileFlow::mayDiscard() {
         return true;
     QMessageBox question(QMessageBox::Warning, tr("Unsaved changes"), unsaved(),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    question.setTextFormat(Qt::PlainText); // the names are the user's
+    question.setTextFormat(Qt::PlainText); // the names come from the user
     question.setInformativeText(tr("Save the changes first?"));
     question.setDefaultButton(QMessageBox::Save);
     const int answer = question.exec();
@@ -272,7 +272,7 @@ FileFlow::ExportAnswer FileFlow::askAboutExport() {
     const QPushButton* wait = question.addButton(tr("&Wait for the File"), QMessageBox::AcceptRole);
     const QPushButton* drop = question.addButton(tr("&Discard the File"), QMessageBox::DestructiveRole);
     question.setDefaultButton(QMessageBox::Cancel);
-    bool failed = false; // while the question was read
+    bool failed = false; // the export may fail while the question is open
     connect(&m_session.problems(), &ProblemsHub::troubled, &question, [&failed] { failed = true; });
     question.exec();
     if (question.clickedButton() == drop)
@@ -283,7 +283,8 @@ FileFlow::ExportAnswer FileFlow::askAboutExport() {
 }
 
 bool FileFlow::mayClose() {
-    m_closeAfterExport = false; // else its end would close the window while a question is open
+    m_closeAfterExport = false; // otherwise the end of the export would close the window while a question is
+                                // open
     const ExportAnswer answer = m_session.exports().isRunning() ? askAboutExport() : ExportAnswer::written;
     m_closeAfterExport = answer == ExportAnswer::wait;
     if (answer == ExportAnswer::wait || answer == ExportAnswer::stay || !mayDiscard())

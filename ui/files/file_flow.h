@@ -17,42 +17,42 @@ class QMimeData;
 
 namespace proveout {
 
-/// Opening, saving and exporting with their file dialogs, and the only questions that interrupt: about
-/// unsaved changes, about a file that is newer on the disk than in the window, and about an export that is
-/// still being written when the window closes. UI thread.
+/// Opening, saving and exporting with their file dialogs, and the only questions that interrupt the user:
+/// about unsaved changes, about a file that is newer on disk than in the window, and about an export still in
+/// progress when the window closes. UI thread.
 class FileFlow final : public QObject {
     Q_OBJECT
 
 public:
-    /// `window` is the parent of dialogs.
+    /// `window` is the parent of the dialogs.
     FileFlow(Session& session, QWidget& window);
 
     [[nodiscard]] RecentFiles& recent() { return m_recent; }
-    /// Opens a file after asking about unsaved changes, as Session::openFile() does. False where the user
-    /// does not want to.
+    /// Opens a file after asking about unsaved changes, like Session::openFile(). False if the user declines.
     bool open(const QString& file);
     void openByDialog();
     void newFile();
     bool save();
     bool saveAs();
     bool saveJobAs();
-    /// Asks where, and saves what is left of the stock for the next set-up.
+    /// Asks for a file name and saves the remaining stock for the next setup.
     void saveStock();
     void exportByDialog(bool decimated);
-    /// Names what is not on the disk and offers to save it. False: the user wants to go on with it.
+    /// Lists unsaved changes and offers to save them. False: the user wants to keep working on them.
     bool mayDiscard();
-    /// Whether the window may close: asks about an export under way, then as mayDiscard(). Where the user
-    /// waits for the export, it may not yet, and closeWanted() comes when the file is written.
+    /// Whether the window may close: asks about an export in progress, then like mayDiscard(). If the user
+    /// waits for the export, the window must stay open until closeWanted() is emitted after the file is
+    /// written.
     bool mayClose();
 
-    /// What a drop would open; empty with `reason` set where it cannot be used.
+    /// The file that a drop would open; empty, with `reason` set, if the drop cannot be used.
     static QString droppedFile(const QMimeData& data, QString& reason);
 
 signals:
     void closeWanted();
-    /// Something was written, e.g. "Saved bracket.nc".
+    /// A file was written; the message is e.g. "Saved bracket.nc".
     void saved(const QString& message);
-    /// An empty program was begun.
+    /// A new empty program was created.
     void newBegun();
 
 private:
@@ -60,7 +60,7 @@ private:
 
     ExportAnswer askAboutExport();
     void askAboutOutside(const QString& job, const std::vector<std::filesystem::path>& files);
-    /// Goes on when no file is newer than what the window has read, or the user has said what to do with it.
+    /// Asks about each file that is newer on disk than in the window. False: the user cancelled.
     bool settle(const std::function<std::optional<DiskConflict>()>& next);
     void collectChanges();
     bool saveFiles();

@@ -87,7 +87,7 @@ KeptBreakpoints::KeptBreakpoints(Session& session, QObject* parent) : QObject(pa
     textReplaced();
 }
 
-/// Another file brings its own; one that was read again keeps those that there are.
+/// Another file has its own breakpoints; a file that was read again keeps the existing ones.
 void KeptBreakpoints::textReplaced() {
     const QString file = toQString(m_session.document().text().path);
     if (!file.isEmpty() && file == m_file)
@@ -98,7 +98,7 @@ void KeptBreakpoints::textReplaced() {
     m_session.breakpoints().set(known == all.end() ? std::vector<Breakpoint>() : read(known->texts));
 }
 
-/// The same text under another name takes its breakpoints along.
+/// A text that is saved under another name keeps its breakpoints.
 void KeptBreakpoints::moveToNewName() {
     const QString file = toQString(m_session.document().text().path);
     if (file == m_file)

@@ -9,16 +9,16 @@
 
 namespace proveout {
 
-/// Keeps the breakpoints of each program in the settings, by its file, for the newest of them. Thread: UI.
+/// Stores the breakpoints of the most recent programs in the settings, by file name. Thread: UI.
 class KeptBreakpoints final : public QObject {
     Q_OBJECT
 
 public:
-    /// The session outlives this object.
+    /// The session must outlive this object.
     KeptBreakpoints(Session& session, QObject* parent);
 
     static constexpr int kMostFiles = 50;
-    /// What is written for a list of breakpoints, and read from it; what cannot be read is left out.
+    /// Converts a list of breakpoints to texts and back; texts that cannot be read are skipped.
     [[nodiscard]] static QStringList written(const std::vector<Breakpoint>& breakpoints);
     [[nodiscard]] static std::vector<Breakpoint> read(const QStringList& texts);
 
@@ -28,7 +28,7 @@ private:
     void keep();
 
     Session& m_session;
-    QString m_file; ///< whose breakpoints the session holds
+    QString m_file; ///< the file that the session's breakpoints belong to
 };
 
 } // namespace proveout

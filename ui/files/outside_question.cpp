@@ -27,7 +27,7 @@ bool mayReadOutside(QWidget& parent, const QString& jobFile,
     QMessageBox question(QMessageBox::Warning,
                          text(QT_TRANSLATE_NOOP("OutsideQuestion", "Files outside the folder of the job")),
                          sentence, QMessageBox::Cancel, &parent);
-    question.setTextFormat(Qt::PlainText); // the names are those of the job
+    question.setTextFormat(Qt::PlainText); // the names come from the job
     question.setInformativeText(
         text(QT_TRANSLATE_NOOP("OutsideQuestion", "Allow this only if you trust the job. Your answer is "
                                                   "remembered for this job and these files.")));

@@ -10,7 +10,7 @@ class QWidget;
 
 namespace proveout {
 
-/// Asks whether a job may have files outside its folder read. UI thread; returns when it is answered.
+/// Asks whether a job may read files outside its folder. UI thread; returns when the user has answered.
 [[nodiscard]] bool mayReadOutside(QWidget& parent, const QString& jobFile,
                                   const std::vector<std::filesystem::path>& files);
 

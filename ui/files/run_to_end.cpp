@@ -45,7 +45,7 @@ bool settleHalfRun(QWidget& parent, Session& session) {
     if (!isHalfRun(session))
         return true;
     if (session.playback().state().playing)
-        session.playback().pause(); // the question is about this moment
+        session.playback().pause(); // the question is about the current block
     const QLocale locale = parent.locale();
     QMessageBox question(QMessageBox::Question,
                          text(QT_TRANSLATE_NOOP("RunToEnd", "Program not run to the end")),
@@ -81,7 +81,7 @@ RunToEnd::RunToEnd(Session& session, QWidget* parent)
     connect(&session.program(), &ProgramHub::changed, this, &RunToEnd::look);
     connect(&session.work(), &WorkHub::changed, this, &RunToEnd::showProgress);
     connect(&session.problems(), &ProblemsHub::troubled, this, &QDialog::reject);
-    // A dialog that is not open yet cannot be closed.
+    // Queued, because a dialog can only be closed after it has opened.
     QMetaObject::invokeMethod(this, &RunToEnd::look, Qt::QueuedConnection);
 }
 

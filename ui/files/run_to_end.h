@@ -11,17 +11,18 @@ class QProgressBar;
 
 namespace proveout {
 
-/// Whether the newest frame is not the end of the program: what is exported then is the stock in between.
+/// Whether the newest frame is before the end of the program, so that an export would contain unfinished
+/// stock.
 [[nodiscard]] bool isHalfRun(const Session& session);
 /// "stock after block 12 of 60"; empty at the end of the program.
 [[nodiscard]] QString momentText(const Session& session);
 
-/// Asks what to do with a program that is half run, and runs it to its end where that is wanted: with
-/// progress, and cancelled at any time. False where nothing shall be exported. UI thread; returns when all
-/// that is through.
+/// Asks what to do with a program that has not run to its end, and runs it there if the user wants, with
+/// progress and a way to cancel. False if nothing is to be exported. UI thread; returns when all this is
+/// done.
 [[nodiscard]] bool settleHalfRun(QWidget& parent, Session& session);
 
-/// Runs the program to its end while it is open; accepted there, rejected where it was cancelled or failed.
+/// Runs the program to its end while it is open; accepted at the end, rejected if cancelled or failed.
 class RunToEnd final : public QDialog {
     Q_OBJECT
 
@@ -36,7 +37,7 @@ private:
 
     Session& m_session;
     QProgressBar* m_progress;
-    std::shared_ptr<const Program> m_sought; ///< whose end is on the way
+    std::shared_ptr<const Program> m_sought; ///< the program that is being run to its end
 };
 
 } // namespace proveout

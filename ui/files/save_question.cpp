@@ -30,7 +30,7 @@ SaveAnswer askBeforeSave(QWidget& parent, const DiskConflict& conflict) {
         QMessageBox::Warning, text(QT_TRANSLATE_NOOP("SaveQuestion", "File changed on disk")),
         text(QT_TRANSLATE_NOOP("SaveQuestion", "%1 has changed on disk.")).arg(file.fileName()),
         QMessageBox::Cancel, &parent);
-    question.setTextFormat(Qt::PlainText); // the name is the user's
+    question.setTextFormat(Qt::PlainText); // the name comes from the user
     question.setInformativeText(
         text(QT_TRANSLATE_NOOP("SaveQuestion",
                                "Another program or window wrote it at %1. Saving here would overwrite those "
@@ -42,8 +42,8 @@ SaveAnswer askBeforeSave(QWidget& parent, const DiskConflict& conflict) {
         question.addButton(text(QT_TRANSLATE_NOOP("SaveQuestion", "&Keep Both")), QMessageBox::AcceptRole);
     QPushButton* compare =
         question.addButton(text(QT_TRANSLATE_NOOP("SaveQuestion", "&Compare…")), QMessageBox::ActionRole);
-    compare->setEnabled(conflict.other.isKnown()); // it is too large else
-    // The question stays open meanwhile.
+    compare->setEnabled(conflict.other.isKnown()); // otherwise it is too large to compare
+    // The question stays open while the files are compared.
     compare->disconnect();
     QObject::connect(compare, &QPushButton::clicked, &question,
                      [&] { CompareDialog({comparisonOf(conflict)}, &question).exec(); });
@@ -55,14 +55,14 @@ SaveAnswer askBeforeSave(QWidget& parent, const DiskConflict& conflict) {
 }
 
 bool mayReplaceStock(QWidget& parent, const StockShape& stock, const QString& file) {
-    std::error_code error; // a file that is not there yet is none in use
+    std::error_code error; // a file that does not exist yet is not in use
     if (stock.file.empty() || !std::filesystem::equivalent(stock.file, toPath(file), error))
         return true;
     QMessageBox question(QMessageBox::Warning, text(QT_TRANSLATE_NOOP("SaveQuestion", "Stock in use")),
                          text(QT_TRANSLATE_NOOP("SaveQuestion", "%1 is the stock of the open job."))
                              .arg(QFileInfo(file).fileName()),
                          QMessageBox::Cancel, &parent);
-    question.setTextFormat(Qt::PlainText); // the name is the user's
+    question.setTextFormat(Qt::PlainText); // the name comes from the user
     question.setInformativeText(text(QT_TRANSLATE_NOOP(
         "SaveQuestion",
         "If you overwrite it, the job will start from its own result the next time it is opened.")));

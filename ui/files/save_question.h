@@ -11,12 +11,12 @@ namespace proveout {
 
 enum class SaveAnswer : std::uint8_t { cancel, overwrite, keepBoth };
 
-/// Asks what to do with a file that is newer on the disk than what the window has read. The differences can
-/// be looked at before an answer. UI thread; returns when the question is answered.
+/// Asks what to do with a file that is newer on disk than in the window. The user can compare the versions
+/// before answering. UI thread; returns when the user has answered.
 [[nodiscard]] SaveAnswer askBeforeSave(QWidget& parent, const DiskConflict& conflict);
 
-/// Whether a part may be written to `file`: asks where that is the file of the stock in use. UI thread;
-/// returns when the question is answered.
+/// Whether a part may be written to `file`: asks if that is the file of the stock in use. UI thread; returns
+/// when the user has answered.
 [[nodiscard]] bool mayReplaceStock(QWidget& parent, const StockShape& stock, const QString& file);
 
 } // namespace proveout

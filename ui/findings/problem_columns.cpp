@@ -12,7 +12,7 @@ namespace proveout {
 
 namespace {
 
-/// QTreeView hides what the class that it inherits offers to all.
+/// QTreeView makes sizeHintForColumn() protected, while its base class has it public.
 int contentWidth(const QAbstractItemView& view, int column) {
     return view.sizeHintForColumn(column);
 }

@@ -11,14 +11,14 @@ class QTreeView;
 
 namespace proveout {
 
-/// Shares the width of the list of problems among its columns: the sentence first, whole; what to do gets the
-/// rest, and is elided; the id is there where all of them have room.
+/// Distributes the width of the problem list among its columns: the sentence comes first and is never elided;
+/// the hint gets the remaining width and is elided; the id is shown only if all columns fit.
 class ProblemColumns final : public QObject {
     Q_OBJECT
 
 public:
     explicit ProblemColumns(QTreeView& view);
-    /// After a change of the rows or of their texts.
+    /// Call it after a change of the rows or of their texts.
     void measure();
 
 protected:

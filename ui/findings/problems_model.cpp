@@ -8,7 +8,8 @@
 namespace proveout {
 
 ProblemsModel::ProblemsModel(QObject* parent) : QAbstractTableModel(parent) {
-    // A shape for each, so that colour is not needed. Made once: a list asks for them row by row.
+    // A different shape for each severity, so that colour is not needed. Created once, because a list
+    // requests the icons for each row.
     for (const Severity severity : {Severity::note, Severity::warning, Severity::error, Severity::fault})
         m_icons[static_cast<std::size_t>(severity)] = icon(QLatin1String(name(severity)));
 }
@@ -44,7 +45,7 @@ QString ProblemsModel::text(const Diagnostic& problem, int column) {
     }
 }
 
-/// A row, with what its columns have no room for; wrapped, as rich text is.
+/// A row including what its columns have no space for; rich text, because that is wrapped.
 QString ProblemsModel::wholeText(const Diagnostic& problem) {
     QString whole =
         QStringLiteral("<p><b>%1</b></p>").arg(coreText(findingTitle(problem.id)).toHtmlEscaped());

@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-/// One row a message. UI thread.
+/// One row per message. UI thread.
 class ProblemsModel final : public QAbstractTableModel {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ private:
     [[nodiscard]] static QString wholeText(const Diagnostic& problem);
 
     Diagnostics m_problems;
-    std::array<QIcon, 4> m_icons; ///< per severity
+    std::array<QIcon, 4> m_icons; ///< one per severity
 };
 
 } // namespace proveout

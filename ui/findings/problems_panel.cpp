@@ -81,11 +81,11 @@ void ProblemsPanel::showProblems() {
     if (row >= 0 && row < m_model->rowCount())
         m_view->setCurrentIndex(m_model->index(row, 0));
     m_columns->measure();
-    m_view->doItemsLayout();                         // the range of the bar
-    m_view->verticalScrollBar()->setValue(scrolled); // what is being read stays where it is
+    m_view->doItemsLayout();                         // updates the range of the scroll bar
+    m_view->verticalScrollBar()->setValue(scrolled); // keeps the rows that the user is reading in place
 }
 
-/// Nothing found means something only as far as was looked.
+/// The absence of problems means something only for the part that was checked.
 QString ProblemsPanel::nothingFound() const {
     const auto& program = m_session.program().current();
     if (!m_session.document().isOpen())
@@ -116,7 +116,7 @@ void ProblemsPanel::goTo(const Diagnostic& problem) {
     m_session.playback().seekToLine(line);
 }
 
-/// What can be done about the problem at a place of the list.
+/// The context menu for the problem at a position of the list.
 void ProblemsPanel::showMenu(const QPoint& position) {
     const QModelIndex index = m_view->indexAt(position);
     if (!index.isValid())

@@ -23,7 +23,7 @@ class ProblemsPanel final : public QWidget {
 
 public:
     explicit ProblemsPanel(Session& session, QWidget* parent = nullptr);
-    /// Selects the next (+1) or previous (-1) problem, round the end, and goes to its line.
+    /// Selects the next (+1) or previous (-1) problem, wrapping around at the end, and goes to its line.
     void goToNeighbour(int direction);
     [[nodiscard]] const ProblemsModel& model() const { return *m_model; }
 

@@ -10,11 +10,11 @@
 namespace proveout {
 namespace {
 
-constexpr float kWidth = 2.2f; // pixels of the user interface
+constexpr float kWidth = 2.2f; // logical pixels
 constexpr float kCurtainShade = 0.7f;
-/// Heights nearer than this count as the floor, mm.
+/// Heights closer to the floor than this count as on the floor, mm.
 constexpr double kOnFloor = 1e-4;
-/// Points of both grids nearer than this are one, mm.
+/// Points of both grids that are closer than this count as one, mm.
 constexpr double kSamePlace = 1e-6;
 
 struct Post {
@@ -34,7 +34,7 @@ public:
         const int lastJ = m_box.grid().ny - 1;
         const BoxSides atEdge = sidesAtEdge(m_around.grid(), m_box.grid());
         BoxEdge edge;
-        // Counter-clockwise.
+        // Counter-clockwise order.
         addSide(edge, {0, 0}, {1, 0}, lastI, atEdge.south);
         addSide(edge, {lastI, 0}, {0, 1}, lastJ, atEdge.east);
         addSide(edge, {lastI, lastJ}, {-1, 0}, lastI, atEdge.north);
@@ -120,7 +120,7 @@ void BoxFrame::draw(Gl& gl, const StockView& view, const SceneOptions& options, 
     m_lines.set(gl, "dashes", glm::vec3(0));
     m_lines.set(gl, "colours[0]", glm::vec4(options.colours.box, 1));
     gl.glEnable(GL_BLEND);
-    // The picture stays opaque: the window system blends a QOpenGLWidget by its alpha.
+    // Keeps the alpha at 1, because the window system blends a QOpenGLWidget by its alpha.
     gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_line.draw(gl, GL_LINES, 0, m_line.size());
     gl.glDisable(GL_BLEND);

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// Which sides of a box of interest are at the edge of the stock, so that nothing is beyond them.
+/// Which sides of a detail region are at the edge of the stock, so that there is no stock beyond them.
 struct BoxSides {
     bool south = false;
     bool east = false;
@@ -20,26 +20,26 @@ struct BoxSides {
 };
 [[nodiscard]] BoxSides sidesAtEdge(const Grid& around, const Grid& box);
 
-/// What stands between a box of interest and the stock round it, in mm from the corner of the box, its
-/// heights from the top of the stock.
+/// The visible boundary between a detail region and the stock around it. In mm; x and y from the corner of
+/// the region, heights from the top of the stock.
 struct BoxEdge {
     std::vector<glm::vec3> curtain; ///< triangles that close the step between both surfaces
-    std::vector<PathVertex> line;   ///< the higher one of them, as separate lines; at the edge of the stock
-                                    ///< there is the box alone
+    std::vector<PathVertex> line;   ///< the upper edge of the step, as separate lines; at the edge of the
+                                    ///< stock, that of the detail region
 };
 
-/// `slack`: how far the surface that is drawn round the box may lie from its z-map, mm. Where both stand on
-/// the floor there is no edge.
+/// `slack`: how far the surface that is drawn around the region may deviate from its z-map, mm. There is no
+/// edge where both surfaces are on the floor.
 [[nodiscard]] BoxEdge boxEdge(const ZMapSnapshot& around, const ZMapSnapshot& box, double slack);
 
-/// Draws the edge of a box of interest. All methods need the same context to be current.
+/// Draws the edge of a detail region. All methods need the same context to be current.
 class BoxFrame {
 public:
     BoxFrame();
 
     [[nodiscard]] bool valid() const { return m_lines.valid() && m_flat.valid(); }
     void setEdge(Gl& gl, const BoxEdge& edge);
-    /// `shift`: of the corner of the box at the top of the stock, in stock coordinates.
+    /// `shift`: position of the region's corner at the top of the stock, in stock coordinates.
     void draw(Gl& gl, const StockView& view, const SceneOptions& options, const glm::vec3& shift);
     void release(Gl& gl);
 

@@ -12,7 +12,8 @@ namespace {
 constexpr int kSectors = 48;
 constexpr int kArcSteps = 14;
 
-/// One line of the outline in r-z, going round from the tip to the top, with the outward normals at its ends.
+/// One segment of the outline in the r-z plane, from the tip to the top, with the outward normals at its
+/// ends.
 struct OutlineEdge {
     glm::dvec2 from;
     glm::dvec2 to;
@@ -34,8 +35,8 @@ public:
         m_at = to;
     }
 
-    /// A piece of the profile, or of the back of a head, from one of its radii to the other. A wall leads to
-    /// it where it does not begin here.
+    /// Adds a piece of the profile, or of the back of a slot cutter or lollipop, from one of its radii to the
+    /// other. If the outline does not end where the piece starts, a straight wall connects them.
     void piece(const ProfilePiece& piece, bool inwards) {
         const glm::dvec2 inner(piece.r0, piece.z0);
         const glm::dvec2 outer(piece.r1, piece.z1);
@@ -60,7 +61,7 @@ private:
             const double angle = first + (last - first) * step / kArcSteps;
             return glm::dvec2(std::cos(angle), up * std::sin(angle));
         };
-        // A hollow is seen from its centre, all else from outside.
+        // The normal of a concave arc points towards its centre, that of any other arc away from it.
         const double side = up > 0 && !inwards ? -1 : 1;
         for (int step = 0; step < kArcSteps; ++step) {
             const glm::dvec2 a = direction(step);

@@ -9,17 +9,17 @@
 
 namespace proveout {
 
-/// A vertex of a drawn cutter, mm from its tip.
+/// A vertex of a cutter mesh, mm from the tip.
 struct CutterVertex {
     glm::vec3 position;
     glm::vec3 normal;
     float part; ///< 0: fluted, 1: shank
 };
 
-/// The cutter's profile revolved about its axis: fluted part to the flute length, shank above it, closed at
-/// the top. Of a necked head the neck is as long as the flutes are said to be, and drawn as the shank is.
-/// Three vertices a triangle, counter-clockwise seen from outside. Without a shank length one is drawn as
-/// long as the flutes.
+/// The cutter's profile revolved about its axis: the fluted part up to the flute length, the shank above it,
+/// closed at the top. For a slot cutter or lollipop the flute length includes the neck, which is drawn like
+/// the shank. Three vertices per triangle, counter-clockwise seen from outside. If no shank length is
+/// defined, the shank is drawn as long as the flutes.
 [[nodiscard]] std::vector<CutterVertex> cutterMesh(const Cutter& cutter);
 
 } // namespace proveout

@@ -28,7 +28,7 @@ void CutterRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& opt
     m_program.set(gl, "shankAlbedo", options.colours.shank);
     if (seeThrough) {
         gl.glEnable(GL_BLEND);
-        // The picture stays opaque: the window system blends a QOpenGLWidget by its alpha.
+        // Keeps the alpha at 1, because the window system blends a QOpenGLWidget by its alpha.
         gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     }
     m_vertices.draw(gl, GL_TRIANGLES, 0, m_vertices.size());

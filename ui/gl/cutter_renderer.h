@@ -16,9 +16,9 @@ public:
     CutterRenderer() : m_program({"cutter.vert", nullptr, {"lighting.glsl", "cutter.frag"}, {}}) {}
 
     [[nodiscard]] bool valid() const { return m_program.valid(); }
-    /// nullptr: no cutter is drawn.
+    /// nullptr: draws no cutter.
     void setCutter(Gl& gl, const Cutter* cutter);
-    /// `tip` in stock coordinates.
+    /// `tip`: position in stock coordinates.
     void draw(Gl& gl, const StockView& view, const SceneOptions& options, const glm::vec3& tip);
     void release(Gl& gl);
 

@@ -31,7 +31,7 @@ GlSupport unusable(const char* reason) {
 } // namespace
 
 GlSupport probeGl() {
-    // These platforms hand out contexts, but a QOpenGLWidget has nothing to draw on there and may crash.
+    // These platforms provide contexts, but a QOpenGLWidget has no surface to draw on there and may crash.
     for (const char* platform : {"offscreen", "minimal", "vnc", "linuxfb"})
         if (QGuiApplication::platformName() == QLatin1String(platform))
             return unusable(QT_TRANSLATE_NOOP(

@@ -7,27 +7,28 @@
 
 namespace proveout {
 
-/// The calls of OpenGL 3.3 core: the floor that the renderer asks for and stays on.
+/// The functions of OpenGL 3.3 core, the version that the renderer requires and does not exceed.
 using Gl = QOpenGLFunctions_3_3_Core;
 
-/// Those of the current context; null where there is none or it offers less than 3.3. Owned by the context.
+/// The functions of the current context; null if there is none or its version is below 3.3. Owned by the
+/// context.
 [[nodiscard]] Gl* currentGl();
 
-/// A place in the bound buffer, in bytes, as OpenGL wants it told: as a pointer, since buffers came after
-/// pointers.
+/// An offset in the bound buffer, in bytes. OpenGL expects it as a pointer, because its interface is older
+/// than buffers.
 [[nodiscard]] inline const void* bufferPlace(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr)
 }
 
-/// Whether this machine can give a widget a context of OpenGL 3.3 core, and what drives it.
+/// Whether this machine can provide a widget with an OpenGL 3.3 core context, and by which driver.
 struct GlSupport {
     bool usable = false;
-    bool software = false; ///< a rasteriser on the processor: no multisampling, sparse repainting
-    QString renderer;      ///< the driver's name for itself
-    QString reason;        ///< where not usable: one translated sentence
+    bool software = false; ///< a software rasteriser on the CPU: no multisampling, few repaints
+    QString renderer;      ///< the name that the driver reports
+    QString reason;        ///< if not usable: one translated sentence
 };
 
-/// Tries it with a context of its own; needs a QGuiApplication. Thread: UI.
+/// Creates a context to find out; needs a QGuiApplication. Thread: UI.
 [[nodiscard]] GlSupport probeGl();
 
 /// Whether a renderer string names a software rasteriser.

@@ -20,13 +20,13 @@ void HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
     if (m_texture == 0)
         gl.glGenTextures(1, &m_texture);
     gl.glBindTexture(GL_TEXTURE_2D, m_texture);
-    // Vertices fetch points; shading reads between them.
+    // The vertex shader fetches single points; shading interpolates between them.
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    // Behind its parameters: a driver makes room for the levels that these ask for.
+    // After the parameters are set, because a driver allocates the mipmap levels that they require.
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m_grid.nx, m_grid.ny, 0, GL_RED, GL_FLOAT, nullptr);
 }
 

@@ -8,12 +8,12 @@ namespace proveout {
 namespace {
 
 constexpr double kChordError = 0.02;
-constexpr double kCoarsest = 100; ///< mm; coarser an arc is no arc any more
+constexpr double kCoarsest = 100; ///< mm; with larger chords an arc is no longer recognisable
 constexpr int kMostChords = 512;
-/// On either side of a block: half of what a frame may have.
+/// Before and after a block: half of a frame's limit each.
 constexpr std::size_t kMostMotions = kMostPathLines / 4;
 
-/// How arcs become chords.
+/// How arcs are split into chords.
 struct Chords {
     double error = kChordError;
     int most = kMostChords;
@@ -27,7 +27,7 @@ struct Chords {
     }
 };
 
-/// The finest with which the motions are few enough lines.
+/// The finest chords with which the motions stay within the limit of lines.
 Chords chordsFor(const Program& program, std::size_t first, std::size_t last) {
     Chords chords;
     const auto fits = [&] {
@@ -44,13 +44,13 @@ Chords chordsFor(const Program& program, std::size_t first, std::size_t last) {
     return chords;
 }
 
-/// The index of the first motion of a block; of all motions behind the last.
+/// The index of the first motion of a block; the number of motions if the block is after the last one.
 std::size_t firstMotion(const Program& program, std::size_t block) {
     return block < program.blockCount() ? program.blockMotions(block).first : program.motionCount();
 }
 
-/// The first block of a range whose motions begin at a motion or behind it; the end of the range where there
-/// is none.
+/// The first block of a range whose motions start at `motion` or after it; the end of the range if there is
+/// none.
 std::size_t blockFromMotion(const Program& program, BlockRange range, std::size_t motion) {
     while (range.first < range.last) {
         const std::size_t middle = range.first + (range.last - range.first) / 2;

@@ -8,7 +8,7 @@
 namespace proveout {
 namespace {
 
-constexpr std::size_t kMostPassed = 32; ///< motions in a line: each new one is compared with them
+constexpr std::size_t kMostPassed = 32; ///< motions per line; each new one is compared with all of them
 constexpr std::size_t kMotionsBetweenLooks = 512;
 constexpr int kMostChords = 64;
 constexpr double kLeastSize = 1; // mm
@@ -66,7 +66,7 @@ void PathOverview::advance(const UploadBudget& budget) {
     }
 }
 
-/// One block may have a hundred thousand motions.
+/// Checks after a number of motions and not of blocks, because one block may have a hundred thousand motions.
 void PathOverview::addSome() {
     for (std::size_t count = 0; count < kMotionsBetweenLooks && !whole(); ++count) {
         const Program::MotionRange motions = m_program->blockMotions(m_next);

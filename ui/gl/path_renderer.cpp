@@ -8,13 +8,13 @@ namespace {
 constexpr float kDoneOpacity = 0.45f;
 constexpr float kAheadOpacity = 0.95f;
 constexpr float kHiddenOpacity = 0.34f;
-constexpr float kHiddenDone = 0.5f; // of that
-/// Where lines are dense they are fainter, so that all of them together are a tint and hide no shape: at most
-/// so often they cover a pixel as opaque as one of them.
+constexpr float kHiddenDone = 0.5f; // factor for blocks already executed
+/// Where lines are dense they are drawn fainter, so that together they only tint the stock and do not hide
+/// its shape. This is the average coverage of a pixel above which they become fainter.
 constexpr double kFullCoverage = 0.6;
 constexpr float kFaintest = 0.02f;
-constexpr float kWidth = 1.6f;       // pixels of the user interface
-constexpr float kDashPixels = 11.0f; // a dash and its gap
+constexpr float kWidth = 1.6f;       // logical pixels
+constexpr float kDashPixels = 11.0f; // a dash with its gap
 } // namespace
 
 void PathRenderer::setPosition(std::shared_ptr<const Program> program, std::size_t block) {
@@ -58,7 +58,7 @@ void PathRenderer::begin(Gl& gl, const StockView& view, const Vec3& shift) {
     m_program.set(gl, "pixelsPerMm", view.pixelsPerMm);
     m_program.set(gl, "dashes", glm::vec3(kDashPixels * view.pixelRatio, 0, 0));
     gl.glEnable(GL_BLEND);
-    // The picture stays opaque: the window system blends a QOpenGLWidget by its alpha.
+    // Keeps the alpha at 1, because the window system blends a QOpenGLWidget by its alpha.
     gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl.glDepthMask(GL_FALSE);
     gl.glDisable(GL_CULL_FACE);

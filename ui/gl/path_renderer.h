@@ -14,24 +14,24 @@ namespace proveout {
 /// Draws the toolpath. All methods need the same context to be current.
 class PathRenderer {
 public:
-    /// Near the cutter means: at most this many blocks behind and ahead of it.
+    /// The path near the cutter is at most this many blocks before and after it.
     static constexpr std::size_t kBlocksBehind = 80;
     static constexpr std::size_t kBlocksAhead = 160;
-    /// Programs with more motions than this show the path near the cutter only: its lines are made within a
-    /// frame.
+    /// Programs with more motions show only the path near the cutter, because its lines must be created
+    /// within a frame.
     static constexpr std::size_t kMostWholeMotions = 200'000;
 
     PathRenderer() : m_program({"line.vert", "line.geom", {"line.frag"}, {}}) {}
 
     [[nodiscard]] bool valid() const { return m_program.valid(); }
-    /// The program that is run, and how many of its blocks have been executed.
+    /// The program being run, and the number of blocks that have been executed.
     void setPosition(std::shared_ptr<const Program> program, std::size_t block);
-    /// `stockOrigin`: program coordinates of the origin of stock coordinates.
+    /// `stockOrigin`: the origin of stock coordinates, in program coordinates.
     void draw(Gl& gl, const StockView& view, const SceneOptions& options, const Vec3& stockOrigin);
-    /// What of the whole toolpath is behind that which is drawn already, dimmed: for each of its pixels it
-    /// must have written its depth. Draws nothing before advanceOverview() is through.
+    /// Draws the part of the whole toolpath that is hidden by what has been drawn, dimmed. The depth of each
+    /// drawn pixel must have been written. Draws nothing before advanceOverview() is complete.
     void drawHidden(Gl& gl, const StockView& view, const SceneOptions& options, const Vec3& stockOrigin);
-    /// Makes the lines of drawHidden().
+    /// Creates the lines of drawHidden().
     void advanceOverview(const UploadBudget& budget) { m_overview.advance(budget); }
     [[nodiscard]] bool overviewPending() const { return !m_overview.whole(); }
     void release(Gl& gl);

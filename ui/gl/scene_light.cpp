@@ -8,8 +8,8 @@ namespace proveout {
 StockView::StockView(const View& view, const Vec3& origin)
     : clipFromStock(view.clipFromWorld * glm::translate(glm::dmat4(1), origin)),
       eye(view.perspective ? glm::vec4(view.eye - origin, 1) : glm::vec4(view.eye, 0)),
-      // Half bound to the viewer, half to the room: turning the stock moves the light over it, but no side is
-      // ever left in the dark.
+      // Half fixed to the viewer, half to the world: turning the stock moves the light over it, but no side
+      // is ever completely dark.
       lampDirection(
           glm::normalize(-0.55 * view.right + 0.45 * view.up + 0.85 * view.back + glm::dvec3(0, 0, 0.35))),
       upOnScreen(view.up), pixels(view.pixels), pixelsPerMm(static_cast<float>(view.pixelsPerMm)),

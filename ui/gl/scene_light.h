@@ -7,8 +7,8 @@
 
 namespace proveout {
 
-/// A view in stock coordinates (mm from the stock's lower-left corner on its floor): single precision is
-/// enough there, wherever the stock stands in the program's coordinates.
+/// A view in stock coordinates (mm from the stock's lower-left corner on its floor). Single precision is
+/// sufficient there, wherever the stock is in program coordinates.
 struct StockView {
     StockView(const View& view, const Vec3& origin);
 
@@ -21,7 +21,7 @@ struct StockView {
     float pixelRatio;
 };
 
-/// Sets the matrix and the uniforms of lighting.glsl of the bound program.
+/// Sets the matrix and the uniforms of lighting.glsl in the bound program.
 void setView(Gl& gl, ShaderProgram& program, const StockView& view);
 
 } // namespace proveout

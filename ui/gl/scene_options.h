@@ -10,20 +10,21 @@ namespace proveout {
 enum class PathShown : std::uint8_t { none, nearCutter, whole };
 enum class CutterShown : std::uint8_t { hidden, seeThrough, solid };
 
-/// The colours of a scene, linear in the screen's values, 0 … 1.
+/// The colours of a scene, as screen values without gamma conversion, 0 … 1.
 struct SceneColours {
     glm::vec3 backdropTop;
     glm::vec3 backdropBottom;
-    glm::vec3 rawStock{0.50f, 0.53f, 0.57f}; ///< skin that no cutter has touched
+    glm::vec3 rawStock{0.50f, 0.53f, 0.57f}; ///< raw faces that no cutter has touched
     glm::vec3 cutStock{0.78f, 0.79f, 0.80f};
     glm::vec3 wire{0.09f, 0.11f, 0.14f};
     glm::vec3 regionLine{0.02f, 0.20f, 0.42f};
     glm::vec3 flute{0.93f, 0.72f, 0.34f};
     glm::vec3 shank{0.72f, 0.74f, 0.77f};
-    /// Orange and blue of Okabe and Ito: told apart with every common colour blindness, and in grey.
+    /// Orange and blue of Okabe and Ito, which are distinguishable with every common colour blindness and in
+    /// grey.
     glm::vec3 dirty{1.0f, 0.62f, 0.05f};
     glm::vec3 decimated{0.0f, 0.45f, 0.80f};
-    glm::vec3 box{0.80f, 0.30f, 0.60f}; ///< the edge of a box of interest
+    glm::vec3 box{0.80f, 0.30f, 0.60f}; ///< the edge of a detail region
     glm::vec3 rapid;
     glm::vec3 feed;
     glm::vec3 arc;
@@ -49,12 +50,13 @@ struct SceneColours {
     return colours;
 }
 
-/// What of a scene is drawn, and how. Value type.
+/// Which parts of a scene are drawn, and how. Value type.
 struct SceneOptions {
     bool wireframe = false; ///< triangles and region borders
-    bool tint = false;      ///< regions drawn from the z-map against decimated ones
+    bool tint = false;      ///< colours regions drawn from the z-map differently from decimated ones
     PathShown path = PathShown::nearCutter;
-    bool pathThroughStock = true; ///< all of it that the stock hides, dimmed; not where `path` is none
+    bool pathThroughStock = true; ///< shows the part of the path that the stock hides, dimmed; no effect if
+                                  ///< `path` is none
     CutterShown cutter = CutterShown::solid;
     SceneColours colours = lightColours();
 };

@@ -5,8 +5,8 @@ namespace proveout {
 
 namespace {
 
-/// The place of a box in stock coordinates, open where it reaches the edge of the stock; empty where there is
-/// none.
+/// The rectangle of a detail region in stock coordinates, open on sides at the edge of the stock; empty if
+/// there is no region.
 glm::vec4 cutOut(const FramePtr& box, const Grid& around) {
     if (box == nullptr)
         return {1, 1, -1, -1};
@@ -56,7 +56,7 @@ bool SceneRenderer::uploadBox(const FramePtr& box, const UploadBudget& budget) {
         return box == nullptr;
     }
     if (box != m_box) {
-        m_box.reset(); // what is there no longer is that one
+        m_box.reset(); // the uploaded content no longer belongs to that frame
         m_boxPending = !m_boxSurface.upload(m_gl, *box, budget).whole;
         if (m_boxPending)
             return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws one frame of a simulation with OpenGL 3.3 into the framebuffer that is bound. Knows no widget, so
-// that the window, studies and tests draw the same picture.
+// Draws a frame of a simulation with OpenGL 3.3 into the bound framebuffer. Independent of widgets, so that
+// the window, studies and tests draw the same image.
 #pragma once
 
 #include <memory>
@@ -12,37 +12,37 @@
 
 namespace proveout {
 
-/// All methods, construction and release() need the same context to be current.
+/// Construction, release() and all methods need the same context to be current.
 class SceneRenderer {
 public:
-    /// Null where there is no OpenGL 3.3 or the driver refuses a shader.
+    /// Null if OpenGL 3.3 is not available or a shader fails to compile.
     [[nodiscard]] static std::unique_ptr<SceneRenderer> create();
     SceneRenderer(const SceneRenderer&) = delete;
     SceneRenderer& operator=(const SceneRenderer&) = delete;
 
-    /// Brings what differs from the frame before to the graphics side. A grid beyond the driver's limit draws
-    /// no stock: gridFits() tells.
+    /// Uploads what differs from the previous frame. If the grid exceeds the driver's limit, no stock is
+    /// drawn and gridFits() is false.
     UploadCounts upload(const FramePtr& frame);
-    /// A box of interest, whose z-map and surface are drawn in the place of what the uploaded frame has
-    /// there; null: none. It is drawn once it is whole: a large one may take several calls. A box with more
-    /// points along a side than the driver takes is not drawn: false.
+    /// Sets a detail region, whose z-map and surface are drawn in place of that part of the uploaded frame;
+    /// null: none. It is drawn once it is complete, which may take several calls. Returns false if the region
+    /// has more points along a side than the driver supports; it is not drawn then.
     bool uploadBox(const FramePtr& box, const UploadBudget& budget = {});
-    /// Whether the box needs another call.
+    /// Whether the detail region needs another call.
     [[nodiscard]] bool boxPending() const { return m_boxPending; }
-    /// Takes a part of the toolpath that is seen through the stock, which is drawn once it is whole: a long
-    /// program may take several calls. Needs no context.
+    /// Processes a part of the toolpath that is shown through the stock; it is drawn once complete, which may
+    /// take several calls for a long program. Needs no context.
     void advancePath(const UploadBudget& budget) { m_path.advanceOverview(budget); }
     [[nodiscard]] bool pathPending() const { return m_path.overviewPending(); }
-    /// Frees what lies on the graphics side of a box that is not coming back.
+    /// Frees the GPU resources of a detail region that is no longer needed.
     void releaseBox();
-    /// Draws the uploaded frame, or the backdrop alone. Sets viewport, depth and culling; leaves blending and
-    /// depth test off and no program bound, as QPainter wants it.
+    /// Draws the uploaded frame, or only the backdrop. Sets viewport, depth and culling; leaves blending and
+    /// depth test off and no program bound, as QPainter expects.
     void draw(const View& view, const SceneOptions& options);
-    /// Copies a picture of that size from one framebuffer to another, several samples a pixel into one.
+    /// Copies an image of that size from one framebuffer to another and resolves its multisampling.
     void copyPicture(GLuint from, GLuint to, const glm::ivec2& pixels);
-    /// Waits until everything asked for so far is done (for measuring).
+    /// Waits until all commands issued so far have finished (for measuring).
     void finish();
-    /// Frees what lies on the graphics side.
+    /// Frees the GPU resources.
     void release();
 
     [[nodiscard]] bool gridFits() const { return m_gridFits; }
@@ -59,12 +59,12 @@ private:
     SurfaceRenderer m_surface;
     CutterRenderer m_cutter;
     PathRenderer m_path;
-    GLuint m_emptyArray = 0; ///< vertices are made from their index alone
+    GLuint m_emptyArray = 0; ///< for vertices that the shader computes from their index alone
     FramePtr m_frame;
     SurfaceRenderer m_boxSurface;
     BoxFrame m_boxFrame;
     FramePtr m_box;
-    FramePtr m_boxIn; ///< the frame that its edge was made for
+    FramePtr m_boxIn; ///< the frame that the region's edge was created for
     bool m_boxPending = false;
     bool m_gridFits = true;
 };

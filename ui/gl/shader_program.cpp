@@ -3,7 +3,7 @@
 
 #include <QFile>
 
-// A linker drops the resources of a static library unless someone asks for them; the macro must stand outside
+// A linker drops the resources of a static library unless they are referenced; the macro must be used outside
 // of namespaces.
 static void keepShaders() {
     Q_INIT_RESOURCE(shaders);

@@ -13,25 +13,26 @@
 
 namespace proveout {
 
-/// The files of one program, names under `resources/shaders`; `fragment` files are joined in their order.
+/// The files of one program, as names below `resources/shaders`; `fragment` files are joined in the given
+/// sequence.
 struct ShaderFiles {
     const char* vertex = nullptr;
     const char* geometry = nullptr; ///< may be null
     QList<const char*> fragment;
-    QList<const char*> defines; ///< preprocessor names, set in every stage
+    QList<const char*> defines; ///< preprocessor names, defined in every stage
 };
 
-/// A linked program and its uniforms by name. Needs the context it was made in to be current.
+/// A linked program and its uniforms by name. Needs the context in which it was created to be current.
 class ShaderProgram {
 public:
-    /// Compiles and links. A failure is a fault of this program or of the driver: it is logged, and valid()
+    /// Compiles and links. A failure is a bug in this application or in the driver: it is logged, and valid()
     /// is false.
     explicit ShaderProgram(const ShaderFiles& files);
 
     [[nodiscard]] bool valid() const { return m_valid; }
     void bind(Gl& gl) { gl.glUseProgram(m_program.programId()); }
 
-    // For the bound program; a name that the program does not use is ignored.
+    // For the bound program; names that the program does not use are ignored.
     void set(Gl& gl, const char* name, int value) { gl.glUniform1i(at(name), value); }
     void set(Gl& gl, const char* name, bool value) { gl.glUniform1i(at(name), value ? 1 : 0); }
     void set(Gl& gl, const char* name, float value) { gl.glUniform1f(at(name), value); }

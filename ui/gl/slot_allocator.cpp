@@ -6,7 +6,7 @@
 
 namespace proveout {
 namespace {
-/// Below this a list is too short to be worth a size of its own.
+/// Shorter lists all get this capacity.
 constexpr std::uint32_t kSmallest = 8;
 } // namespace
 

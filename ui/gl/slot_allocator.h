@@ -6,24 +6,25 @@
 
 namespace proveout {
 
-/// Places in one long buffer for many lists that come and go. Sizes are rounded up to powers of two, so that
-/// a list that changes a little keeps its place and freed places fit again. Counts elements, knows no memory.
+/// Allocates slots in one long buffer for lists that are added and removed. Sizes are rounded up to powers of
+/// two, so that a list that changes slightly keeps its slot and freed slots can be reused. Counts elements;
+/// it does not access memory.
 class SlotAllocator {
 public:
     struct Slot {
         std::uint32_t offset = 0;
-        std::uint32_t capacity = 0; ///< 0: no place
+        std::uint32_t capacity = 0; ///< 0: not allocated
     };
 
-    /// A place for `count` elements (> 0); extent() may grow.
+    /// A slot for `count` elements (> 0); extent() may grow.
     [[nodiscard]] Slot allocate(std::uint32_t count);
     void free(Slot slot);
-    /// Elements that the buffer must hold.
+    /// The number of elements that the buffer must hold.
     [[nodiscard]] std::uint32_t extent() const { return m_extent; }
     void clear();
 
 private:
-    std::vector<std::vector<std::uint32_t>> m_free; ///< offsets of free places, by the power of two
+    std::vector<std::vector<std::uint32_t>> m_free; ///< offsets of free slots, by the exponent of their size
     std::uint32_t m_extent = 0;
 };
 

@@ -7,7 +7,7 @@
 namespace proveout {
 namespace {
 
-/// Strips of this many cells keep a row's points in the vertex cache until the next row uses them.
+/// Strips with this many cells keep a row's points in the vertex cache until the next row uses them.
 constexpr int kStripCells = 16;
 
 /// The canonical 4-8 triangulation of a rectangle of points, as offsets from its first point.
@@ -32,12 +32,13 @@ std::vector<std::uint32_t> patternIndices(int nx, const IndexRect& points) {
     return indices;
 }
 
-/// The points of a region without those on its borders.
+/// The points of a region excluding those on its borders.
 IndexRect inner(const IndexRect& points) {
     return {points.i0 + 1, points.j0 + 1, points.i1 - 1, points.j1 - 1};
 }
 
-/// 16 bits where they hold all of them. Not a matter of the region: a merged mesh reaches beyond its own.
+/// 16 bits if all indices fit. The size of the region does not decide this, because a merged mesh extends
+/// beyond its own region.
 IndexWidth widthFor(const std::vector<std::uint32_t>& indices) {
     const bool fits = std::ranges::all_of(
         indices, [](std::uint32_t index) { return index <= std::numeric_limits<std::uint16_t>::max(); });
@@ -52,7 +53,7 @@ bool meetsPolyline(const std::array<BorderLinePtr, 4>& borders) {
     return std::ranges::any_of(borders, [](const auto& line) { return line != nullptr; });
 }
 
-/// The triangles of a region drawn from the z-map that have a corner on its borders.
+/// The triangles of a z-map region that have a corner on its borders.
 std::vector<LatticeTriangle> transitionStrip(const RegionGrid& grid, std::size_t region,
                                              const std::array<BorderLinePtr, 4>& borders) {
     std::vector<LatticeTriangle> triangles = fullRegionMesh(grid, region, borders);

@@ -13,24 +13,25 @@
 
 namespace proveout {
 
-/// The triangles of a surface on the graphics side, as indices into the lattice. A decimated region has an
-/// own list, written again only when its mesh is another pointer. A region drawn from the z-map with full
-/// borders costs nothing: all of one size share one pattern, moved to its place by the base vertex. Where
-/// such a region meets a decimated one, an own list of the triangles along its borders meets the polyline,
-/// and a smaller pattern fills it. All methods need the same context to be current.
+/// The triangles of a surface on the GPU, as indices into the lattice. A decimated region has its own list,
+/// which is written again only when the pointer to its mesh has changed. A region drawn from the z-map with
+/// full borders needs no list: all such regions of one size share a pattern, which the base vertex moves to
+/// the right place. Where such a region borders a decimated one, a list of the triangles along its borders
+/// matches the polyline, and a smaller pattern fills the inside. All methods need the same context to be
+/// current.
 class SurfaceBuffer {
 public:
     struct Uploaded {
         std::size_t lists = 0;
         std::size_t indices = 0;
         std::size_t bytes = 0;
-        bool changed = false; ///< another mesh or border somewhere
-        bool whole = true;    ///< all of the surface is there
+        bool changed = false; ///< whether any mesh or border has changed
+        bool whole = true;    ///< whether the surface is uploaded completely
     };
     enum class Part : std::uint8_t { fromZMap, decimated };
 
-    /// Brings the surface to the graphics side, or a part of what is not there yet: the next call goes on.
-    /// Nothing may be drawn before it is whole.
+    /// Uploads the surface, or a part of what is still missing; the next call continues. Do not draw before
+    /// it is complete.
     [[nodiscard]] Uploaded update(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget = {});
     /// Draws the triangles of one part with the bound program; a vertex array must be bound.
     void draw(Gl& gl, Part part);
@@ -42,10 +43,10 @@ public:
 private:
     struct Region {
         RegionMeshPtr mesh;
-        std::array<BorderLinePtr, 4> borders; ///< of a region drawn from the z-map only
+        std::array<BorderLinePtr, 4> borders; ///< only for a region drawn from the z-map
         IndexBuffer::Slot slot;
         IndexWidth width = IndexWidth::bits16;
-        std::uint32_t count = 0; ///< indices in the slot; 0: drawn with a pattern alone, if at all
+        std::uint32_t count = 0; ///< indices in the slot; 0: drawn only with a pattern, or not drawn
         bool known = false;
     };
     struct Pattern {
@@ -70,7 +71,7 @@ private:
     }
     void writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
                    Uploaded& uploaded);
-    /// Whether there was something to do.
+    /// Returns whether the region needed an update.
     bool updateRegion(Gl& gl, const SurfaceSnapshot& surface, std::size_t index, Uploaded& uploaded);
     const Pattern& pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
     [[nodiscard]] std::uint32_t firstPoint(std::size_t region) const;
@@ -78,10 +79,10 @@ private:
 
     RegionGrid m_grid;
     std::vector<Region> m_regions;
-    bool m_collected = false; ///< the lists to draw are those of the regions
+    bool m_collected = false; ///< whether m_lists is up to date
     IndexBuffer m_indices;
     std::map<std::tuple<int, int, int>, Pattern> m_patterns; ///< by width, height, parity of the first point
-    std::array<std::array<DrawList, 2>, 2> m_lists;          ///< by part and width of the indices
+    std::array<std::array<DrawList, 2>, 2> m_lists;          ///< by part and by width of the indices
     std::array<std::size_t, 2> m_triangles{};
 };
 

@@ -10,13 +10,13 @@
 
 namespace proveout {
 
-/// What went to the graphics side for one frame.
+/// What was uploaded for one frame.
 struct UploadCounts {
     std::size_t tiles = 0;
-    std::size_t lists = 0;   ///< lists of triangles of regions, shared patterns included
-    std::size_t indices = 0; ///< of those lists and of the walls
+    std::size_t lists = 0;   ///< triangle lists of regions, including shared patterns
+    std::size_t indices = 0; ///< in these lists and in the walls
     std::size_t bytes = 0;   ///< heights and indices
-    bool whole = true;       ///< all of the frame is there
+    bool whole = true;       ///< whether the frame is uploaded completely
 };
 
 /// Draws the stock: top surface, walls, underside. All methods need the same context to be current.
@@ -25,11 +25,11 @@ public:
     SurfaceRenderer();
 
     [[nodiscard]] bool valid() const;
-    /// The grid must fit (HeightTexture::fits). Where the budget does not do, the next call goes on, and
-    /// nothing may be drawn before the frame is whole.
+    /// The grid must fit (HeightTexture::fits). If the budget is too small, the next call continues; do not
+    /// draw before the frame is complete.
     [[nodiscard]] UploadCounts upload(Gl& gl, const Frame& frame, const UploadBudget& budget = {});
-    /// A rectangle in plan, stock coordinates (x, y, x, y), that is left out of the picture but for a pixel
-    /// at its rim; none where it is empty. A side at the edge of the stock must be beyond it.
+    /// A rectangle in plan, in stock coordinates (x, y, x, y), in which nothing is drawn except a pixel at
+    /// its rim; empty: none. If it reaches the edge of the stock, its side there must be beyond that edge.
     void setCutOut(const glm::vec4& rectangle) { m_cutOut = rectangle; }
     void draw(Gl& gl, const StockView& view, const SceneOptions& options);
     void release(Gl& gl);
@@ -40,7 +40,7 @@ private:
     void drawTop(Gl& gl, const StockView& view, const SceneOptions& options);
     void drawWalls(Gl& gl, const StockView& view, const SceneOptions& options);
 
-    // The plain program tests no fragment for holes, so that hidden ones are dropped before they are shaded.
+    // This program has no hole test in its fragment shader, so hidden fragments are dropped before shading.
     ShaderProgram m_plain;
     ShaderProgram m_holes;
     ShaderProgram m_wire;
@@ -48,7 +48,7 @@ private:
     HeightTexture m_heights;
     SurfaceBuffer m_surface;
     WallBuffer m_wallBuffer;
-    bool m_wallsDue = true; ///< the surface is another one than theirs
+    bool m_wallsDue = true; ///< the surface has changed since the walls were written
     Grid m_grid;
     float m_floor = -1;
     int m_regionCells = 1;

@@ -6,12 +6,11 @@
 
 namespace proveout {
 
-/// How long one picture may spend on bringing something to the graphics side; the default one has no end.
-/// Value type.
+/// The time limit for uploads within one frame; by default there is no limit. Value type.
 class UploadBudget {
 public:
     UploadBudget() = default;
-    /// From now on.
+    /// The time starts now.
     explicit UploadBudget(std::chrono::steady_clock::duration length)
         : m_end(std::chrono::steady_clock::now() + length) {}
 

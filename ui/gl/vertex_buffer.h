@@ -8,14 +8,14 @@
 
 namespace proveout {
 
-/// A vertex array over one buffer of interleaved floats. Needs the same context to be current.
+/// A vertex array with one buffer of interleaved floats. Needs the same context to be current.
 class VertexBuffer {
 public:
     VertexBuffer() = default;
     VertexBuffer(const VertexBuffer&) = delete;
     VertexBuffer& operator=(const VertexBuffer&) = delete;
 
-    /// Replaces the content; `attributes` are the floats of each attribute, in the order of their locations.
+    /// Replaces the content; `attributes` is the number of floats of each attribute, by location.
     void write(Gl& gl, const void* data, std::size_t vertices, std::initializer_list<int> attributes);
     void draw(Gl& gl, GLenum mode, std::size_t first, std::size_t count);
     void release(Gl& gl);

@@ -13,7 +13,7 @@ struct EdgeBorder {
     std::size_t border;
 };
 
-/// Counter-clockwise, so that the stock is to the left.
+/// Counter-clockwise, so that the stock is on the left.
 std::vector<EdgeBorder> edgeBorders(const RegionGrid& grid) {
     const int lastX = grid.regionsX() - 1;
     const int lastY = grid.regionsY() - 1;
@@ -32,7 +32,7 @@ std::vector<EdgeBorder> edgeBorders(const RegionGrid& grid) {
     return borders;
 }
 
-/// The lattice points of a border, counter-clockwise too.
+/// The lattice points of a border, also counter-clockwise.
 std::vector<std::uint32_t> polyline(const SurfaceSnapshot& surface, const EdgeBorder& edge) {
     std::vector<std::uint32_t> points;
     const IndexRect rect = surface.grid.borderPoints(edge.border);
@@ -59,7 +59,7 @@ bool hasMergedMeshes(const SurfaceSnapshot& surface) {
     return false;
 }
 
-/// The points of borders at the edge of the map that no triangle meets.
+/// The border points at the edge of the map that belong to no triangle.
 std::unordered_set<std::uint32_t> omittedPoints(const SurfaceSnapshot& surface,
                                                 const std::vector<EdgeBorder>& borders) {
     std::unordered_set<std::uint32_t> points;
@@ -74,7 +74,7 @@ std::unordered_set<std::uint32_t> omittedPoints(const SurfaceSnapshot& surface,
             for (const LatticeTriangle& triangle : mesh->triangles)
                 for (const std::uint32_t point : triangle)
                     points.erase(point);
-        else // drawn from the z-map, with all of them
+        else // drawn from the z-map, which uses all border points
             for (const Side side : kSides)
                 for (const std::uint32_t point : polyline(surface, {side, surface.grid.border(region, side)}))
                     points.erase(point);
@@ -89,12 +89,12 @@ std::vector<WallLine> wallLines(const SurfaceSnapshot& surface) {
     const std::unordered_set<std::uint32_t> omitted = omittedPoints(surface, borders);
     std::vector<WallLine> lines;
     lines.reserve(borders.size());
-    std::size_t open = 0; // the line that is not at its end yet
+    std::size_t open = 0; // the line whose last point is still missing
     for (const EdgeBorder& edge : borders) {
         const std::size_t own = lines.size();
         lines.push_back({edge.side, {}});
         std::vector<std::uint32_t> points = polyline(surface, edge);
-        points.pop_back(); // the first one of the next border
+        points.pop_back(); // it is the first point of the next border
         for (const std::uint32_t point : points) {
             if (omitted.contains(point))
                 continue;
@@ -104,7 +104,7 @@ std::vector<WallLine> wallLines(const SurfaceSnapshot& surface) {
             open = own;
         }
     }
-    if (!lines.empty()) // a corner of the stock is always kept
+    if (!lines.empty()) // the corners of the stock are always kept
         lines[open].points.push_back(lines.front().points.front());
     return lines;
 }

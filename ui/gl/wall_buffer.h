@@ -10,33 +10,33 @@
 
 namespace proveout {
 
-/// The upper edge of an outside wall of the stock along one border at the edge of the map, in lattice points
-/// from left to right as seen from outside. It ends where the next one begins.
+/// The upper edge of an outside wall of the stock along one border at the edge of the map, as lattice points
+/// from left to right seen from outside. It ends where the next one begins.
 struct WallLine {
     Side side = Side::south;
-    std::vector<std::uint32_t> points; ///< fewer than two: the line before it passes this border
+    std::vector<std::uint32_t> points; ///< fewer than two: the previous line continues past this border
 };
-/// One for each border at the edge. They meet the triangles of the surface vertex by vertex: a merged mesh
-/// may have left out points of the borders.
+/// One line per border at the edge. They match the triangles of the surface vertex by vertex, because a
+/// merged mesh may have removed points of the borders.
 [[nodiscard]] std::vector<WallLine> wallLines(const SurfaceSnapshot& surface);
 
-/// The outside wall below such a line, and the part of the underside that it bounds, as indices into the
-/// lattice (index + number of points: the point on the floor).
+/// The outside wall below such a line, and the part of the underside next to it, as indices into the lattice
+/// (index + number of points: the point on the floor).
 struct WallMesh {
     std::vector<std::uint32_t> wall;
     std::vector<std::uint32_t> underside;
 };
 [[nodiscard]] WallMesh wallMesh(const RegionGrid& grid, const WallLine& line);
 
-/// All walls and the underside on the graphics side; what is below a line is written again when that is
-/// another one. All methods need the same context to be current.
+/// All walls and the underside on the GPU; the part below a line is written again only when the line has
+/// changed. All methods need the same context to be current.
 class WallBuffer {
 public:
-    /// Order of the faces: kSides, then the underside.
+    /// Sequence of the faces: kSides, then the underside.
     static constexpr std::size_t kFaces = 5;
     static constexpr std::size_t kUnderside = 4;
 
-    /// Returns how many indices went up.
+    /// Returns the number of indices uploaded.
     [[nodiscard]] std::size_t update(Gl& gl, const SurfaceSnapshot& surface);
     void draw(Gl& gl, std::size_t face);
     void release(Gl& gl);

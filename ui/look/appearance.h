@@ -9,12 +9,12 @@
 
 namespace proveout {
 
-/// Theme and language of the application, kept in the settings.
+/// Theme and language of the application, stored in the settings.
 class Appearance final : public QObject {
     Q_OBJECT
 
 public:
-    /// Applies what the settings say; construct it before the first widget.
+    /// Applies the settings; construct it before the first widget.
     explicit Appearance(QObject* parent = nullptr);
 
     [[nodiscard]] Theme theme() const { return m_theme; }

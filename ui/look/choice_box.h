@@ -5,14 +5,14 @@
 
 namespace proveout {
 
-/// A combo box in which the longest choice can be read to its end, in another language too.
+/// A combo box wide enough for its longest choice, in any language.
 class ChoiceBox final : public QComboBox {
 public:
     explicit ChoiceBox(QWidget* parent = nullptr) : QComboBox(parent) {
         setSizeAdjustPolicy(AdjustToContents);
     }
 
-    /// Qt's own remembers the texts of the language before.
+    /// Qt's own hint still has the width of the texts in the previous language.
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands of the window: one row a command, read by menus, tool bars and tests.
+// Commands of the window: one row per command, used by menus, tool bars and tests.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,20 @@
 
 namespace proveout {
 
-/// Where the keys of a command act.
+/// Where the shortcut of a command is active.
 enum class Reach {
     window, ///< everywhere in the main window
-    focus,  ///< with the focus in one of the widgets that the action was added to
+    focus,  ///< while one of the widgets that the action was added to has the focus
 };
 
-/// One command on a `Target`. Texts are literals marked with QT_TRANSLATE_NOOP under the context that the
-/// table is made with. An empty text is a separator.
+/// A command on a `Target`. Texts are literals marked with QT_TRANSLATE_NOOP in the context that the table is
+/// created with. An empty text is a separator.
 template<class Target>
 struct Command {
     const char* id;   ///< stable, also the action's objectName
     const char* text; ///< with & before the mnemonic
     const char* tip;
-    const char* icon; ///< of :/icons, may be empty
+    const char* icon; ///< in :/icons, may be empty
     const char* keys; ///< portable text, several separated by "; "; may be empty
     Reach reach;
     void (*run)(Target&);
@@ -44,7 +44,7 @@ constexpr Command<Target> separator() {
 template<class Target>
 class CommandActions {
 public:
-    /// `rows` and `context` are static data.
+    /// `rows` and `context` must have static lifetime.
     CommandActions(Target& target, const char* context, std::span<const Command<Target>> rows, QObject* owner)
         : m_context(context), m_rows(rows) {
         for (const Command<Target>& row : rows)
@@ -64,10 +64,10 @@ public:
         }
     }
 
-    /// In the order of the rows, separators included.
+    /// One action per row, including separators.
     [[nodiscard]] const std::vector<QAction*>& all() const { return m_actions; }
     [[nodiscard]] std::span<const Command<Target>> rows() const { return m_rows; }
-    /// Null where no row has that id.
+    /// Null if no row has that id.
     [[nodiscard]] QAction* find(std::string_view id) const {
         for (std::size_t i = 0; i < m_rows.size(); ++i) {
             if (id == m_rows[i].id)

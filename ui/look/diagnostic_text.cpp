@@ -17,8 +17,8 @@ namespace proveout {
 
 namespace {
 
-/// Arguments are figures, words of the user's file, keys, or texts of the core, e.g. the name of a code. Only
-/// the last are in the catalogue.
+/// Arguments are figures, words of the user's file, keys, or texts of the core such as the name of a code.
+/// Only the last are in the catalogue.
 std::string shown(const Argument& argument) {
     if (argument.isFigures())
         return figuresText(argument).toStdString();
@@ -47,7 +47,7 @@ QString figuresText(const std::string& figures) {
 
 QString sentence(const Diagnostic& diagnostic) {
     QString text = coreText(diagnostic.text, diagnostic.arguments);
-    // What is about another file than the open program names it.
+    // A problem in a file other than the open program names that file.
     if (diagnostic.file.empty())
         return text;
     return QStringLiteral("%1: %2").arg(QFileInfo(QString::fromStdString(diagnostic.file)).fileName(), text);

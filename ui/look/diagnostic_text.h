@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core speaks English with marked strings; here they become the user's language.
+// Translates the marked English strings of the core into the user's language.
 #pragma once
 
 #include <string>
@@ -15,11 +15,12 @@ namespace proveout {
 [[nodiscard]] QString coreText(const char* text);
 /// The same for a sentence, its arguments filled in.
 [[nodiscard]] QString coreText(const char* text, const std::vector<Argument>& arguments);
-/// Figures that the core has written with a decimal point, e.g. "1.5 GB", with that of the language.
+/// Figures that the core has formatted with a decimal point, e.g. "1.5 GB", converted to the decimal
+/// separator of the language.
 [[nodiscard]] QString figuresText(const std::string& figures);
-/// The sentence of a diagnostic, translated, its arguments filled in.
+/// The translated sentence of a diagnostic with its arguments.
 [[nodiscard]] QString sentence(const Diagnostic& diagnostic);
-/// What to do about it, translated; may be empty.
+/// The translated hint of a diagnostic; may be empty.
 [[nodiscard]] QString hint(const Diagnostic& diagnostic);
 /// "Error", "Warning", …
 [[nodiscard]] QString severityName(Severity severity);

@@ -5,7 +5,7 @@
 
 namespace proveout {
 
-/// A line of text that takes what room there is and ends with an ellipsis where that is not enough.
+/// A single line of text that is elided if it does not fit the available width.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 

@@ -15,7 +15,7 @@ namespace proveout {
 
 namespace {
 
-/// The units that are words; the core hands them out unmarked.
+/// The units that are words; the core does not mark them for translation.
 [[maybe_unused]] constexpr const char* kUnitWords[] = {QT_TRANSLATE_NOOP("Core", "cells"),
                                                        QT_TRANSLATE_NOOP("Core", "blocks")};
 
@@ -27,7 +27,7 @@ QString plainNumber(double value, const QLocale& locale) {
     return locale.toString(value, 'f', QLocale::FloatingPointShortest);
 }
 
-/// A suffix that is set again, even the same, replaces what is being typed by the value.
+/// Setting a suffix, even the same one, would replace the text that is being typed by the value.
 template<class Box>
 void showSuffix(Box& box, const Field& field) {
     if (const QString text = suffixOf(field); box.suffix() != text)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a form takes of the description of a field (core/base/field.h). UI thread.
+// Applies the description of a field (core/base/field.h) to a form. UI thread.
 #pragma once
 
 #include <QString>
@@ -16,15 +16,15 @@ class NumberBox;
 
 /// A number with the unit of the field: "5 blocks".
 [[nodiscard]] QString fieldNumber(const Field& field, double value, const QLocale& locale);
-/// Range, step and decimals of a box.
+/// Sets range, step and decimals of a box.
 void setUpBox(NumberBox& box, const Field& field);
 void setUpBox(CountBox& box, const Field& field);
-/// Name and tool tip of the editor of a field, in the language of the moment; of a box the unit and the
-/// range, too. `standard` is its default, which may be left out. Text that is being typed stays.
+/// Sets the name and tooltip of a field's editor in the current language, and for a box also the unit and the
+/// range. `defaultText` is the default value and may be empty. Text that is being typed is kept.
 void showFieldTexts(QWidget& editor, const Field& field, const QString& defaultText = {});
 
-/// Puts what the box shows into `value`. What the box cannot show exactly (a stock of 12.7001 mm) stays as it
-/// is until it is edited.
+/// Writes the value of the box to `value`. A value that the box cannot show exactly (a stock of 12.7001 mm)
+/// stays unchanged until it is edited.
 void readShown(double& value, const NumberBox& box);
 
 } // namespace proveout

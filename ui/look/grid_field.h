@@ -11,16 +11,16 @@ namespace proveout {
 
 class NumberBox;
 
-/// The grid spacing of a setup: a number, or automatic, which shows the spacing that was found. Typing a
-/// number ends the automatic grid.
+/// The grid spacing of a setup: a number, or automatic, which shows the computed spacing. Typing a number
+/// turns the automatic grid off.
 class GridField final : public QWidget {
     Q_OBJECT
 
 public:
-    /// The number box gets the name `name`, the switch `name` with "-automatic".
+    /// The object name of the number box is `name`, that of the check box is `name` plus "-automatic".
     explicit GridField(const QString& name, QWidget* parent = nullptr);
 
-    /// Shows other values; emits nothing.
+    /// Shows the values of the setup; emits nothing.
     void show(const Setup& setup);
     void put(Setup& setup) const;
 

@@ -16,7 +16,7 @@ namespace proveout {
 
 namespace {
 
-/// QtSvg draws `currentColor` black; this engine writes a given colour, or the palette's, in its place.
+/// QtSvg draws `currentColor` in black; this engine replaces it with a given colour or that of the palette.
 class SvgIconEngine final : public QIconEngine {
 public:
     SvgIconEngine(QString name, QByteArray svg, const QColor& own)
@@ -58,7 +58,7 @@ private:
 
     QString m_name;
     QByteArray m_svg;
-    QColor m_own; ///< invalid: the palette's
+    QColor m_own; ///< invalid: uses the colour of the palette
 };
 
 } // namespace

@@ -7,8 +7,8 @@
 
 namespace proveout {
 
-/// The icon `:/icons/<name>.svg`, drawn in `color` or, where that is invalid, in the text colour of the
-/// palette at the moment of painting, so that it follows the theme. Null where there is no such icon.
+/// The icon `:/icons/<name>.svg`, drawn in `color` or, if that is invalid, in the palette's text colour at
+/// the moment of painting, so that it follows the theme. Null if there is no such icon.
 [[nodiscard]] QIcon icon(const QString& name, const QColor& color = {});
 
 } // namespace proveout

@@ -17,7 +17,7 @@ namespace {
 const QString kCatalogues = QStringLiteral(":/i18n");
 const QString kPrefix = QStringLiteral("proveout_");
 
-/// The extraction writes classes without their namespace into the catalogues, moc writes them with it.
+/// lupdate writes class names into the catalogues without their namespace, but moc includes it.
 class OwnTranslator final : public QTranslator {
 public:
     [[nodiscard]] QString translate(const char* context, const char* text, const char* note,
@@ -64,10 +64,10 @@ QString systemLanguage() {
 }
 
 void LanguageSwitch::apply(const QString& code) {
-    m_own.reset(); // a translator leaves the application when it is destroyed
+    m_own.reset(); // the destructor of a translator removes it from the application
     m_qt.reset();
     m_current = code;
-    // Numbers follow the language: "23,632" is not the same in English and in German.
+    // Numbers follow the language: "23,632" has different meanings in English and in German.
     QLocale::setDefault(QLocale(code));
     for (QWidget* window : QApplication::topLevelWidgets())
         window->setLocale(QLocale());

@@ -14,13 +14,13 @@ struct Language {
     QString name; ///< in the language itself
 };
 
-/// English, and every language with a catalogue `:/i18n/proveout_<code>.qm`, by code.
+/// English and every language that has a catalogue `:/i18n/proveout_<code>.qm`, sorted by code.
 [[nodiscard]] std::vector<Language> languages();
 
-/// The language of the system where there is a catalogue for it, else English.
+/// The system language if there is a catalogue for it, otherwise English.
 [[nodiscard]] QString systemLanguage();
 
-/// Translates the application; widgets get a LanguageChange event. Owns the translators.
+/// Translates the application; widgets receive a LanguageChange event. Owns the translators.
 class LanguageSwitch {
 public:
     void apply(const QString& code);
@@ -29,7 +29,7 @@ public:
 private:
     QString m_current = QStringLiteral("en");
     std::unique_ptr<QTranslator> m_own;
-    std::unique_ptr<QTranslator> m_qt; ///< standard buttons and dialogs
+    std::unique_ptr<QTranslator> m_qt; ///< for Qt's standard buttons and dialogs
 };
 
 } // namespace proveout

@@ -15,7 +15,7 @@ namespace proveout {
 
 namespace {
 
-/// What is between prefix and suffix.
+/// The text between prefix and suffix.
 template<class Box>
 QString typedText(const Box& box, const QString& text) {
     QString typed = text;
@@ -33,14 +33,14 @@ std::optional<double> typedNumber(const Box& box, const QString& text) {
     return read ? std::optional(value) : std::nullopt;
 }
 
-/// What the box shows already may stay, wherever it came from.
+/// A value that the box already shows is always accepted, even if it was set outside the range.
 template<class Box>
 bool isOutOfRange(const Box& box, double value) {
     const bool outside = value < box.range().minimum || value > box.range().maximum;
     return outside && value != static_cast<double>(box.value());
 }
 
-/// A number that is not allowed may be on its way to one that is; and without its sign it would be another.
+/// A number out of range may become valid with the next key, and so may one without its sign.
 template<class Box>
 QValidator::State stateOf(const Box& box, QValidator::State state, const QString& text) {
     const auto typed = typedNumber(box, text);
@@ -50,7 +50,7 @@ QValidator::State stateOf(const Box& box, QValidator::State state, const QString
     return begun && state == QValidator::Invalid ? QValidator::Intermediate : state;
 }
 
-/// The sentence of a refusal; empty where the text is no number out of range.
+/// The message for a refused number; empty if the text is not a number out of range.
 template<class Box>
 QString refusal(const Box& box, const QString& text) {
     const auto typed = typedNumber(box, text);
@@ -79,13 +79,13 @@ bool isShown(const CountBox& box, int value) {
     return value == box.value();
 }
 
-/// `Base` is Qt's own box, whose range has to take in the value. `line` is the editor of the box.
+/// `Base` is Qt's own box, whose range must include the value. `line` is the editor of the box.
 template<class Base, class Box, class T>
 void showIn(Box& box, QLineEdit& line, T value) {
     const QSignalBlocker quiet(&box);
     const bool typing = isBeingTyped(box);
     if (typing && isShown(box, value))
-        return; // the text keeps its own undo
+        return; // keeps the undo history of the text
     const QString typed = line.text();
     const int cursor = line.cursorPosition();
     box.Base::setRange(std::min<T>(box.range().minimum, value), std::max<T>(box.range().maximum, value));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Number fields that never change a number in silence.
+// Number fields that never change a number silently.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -14,19 +14,19 @@ struct NumberRange {
     T maximum;
 };
 
-/// A spin box that lets any number be typed. Where it is out of range when the editing ends, the box keeps
-/// the value it had, says so beside itself, with the range, and emits refused().
+/// A spin box that accepts any number while typing. If the number is out of range when editing ends, the box
+/// keeps its previous value, shows the allowed range next to itself and emits refused().
 class NumberBox final : public QDoubleSpinBox {
     Q_OBJECT
 
 public:
     explicit NumberBox(QWidget* parent = nullptr);
 
-    /// In the place of QDoubleSpinBox::setRange(), whose range also takes in a value that is shown.
+    /// Replaces QDoubleSpinBox::setRange(), whose range is also extended to any value that is shown.
     void setRange(double minimum, double maximum);
     [[nodiscard]] const NumberRange<double>& range() const { return m_range; }
-    /// Shows a value that others have set, also one out of the range (of a file, say); emits nothing. Text
-    /// that the user is typing stays.
+    /// Shows a value that the program has set, even one out of range (e.g. from a file); emits nothing. Text
+    /// that the user is typing is kept.
     void showValue(double value);
     [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
     void fixup(QString& text) const override;
@@ -38,7 +38,7 @@ private:
     NumberRange<double> m_range;
 };
 
-/// The same of whole numbers.
+/// The same for whole numbers.
 class CountBox final : public QSpinBox {
     Q_OBJECT
 

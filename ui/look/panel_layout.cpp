@@ -27,7 +27,7 @@ public:
 
 protected:
     bool event(QEvent* event) override {
-        // The layouts above do not hear of the content by themselves.
+        // Parent layouts are not notified of changes of the content.
         if (event->type() == QEvent::LayoutRequest)
             updateGeometry();
         return QScrollArea::event(event);
@@ -47,7 +47,7 @@ QLabel* sectionLabel(QWidget* parent) {
 QLabel* wrappedLabel(QWidget* parent) {
     auto* label = new QLabel(parent);
     label->setWordWrap(true);
-    label->setMinimumWidth(1); // it wraps at any width; its own wish would widen the panel
+    label->setMinimumWidth(1); // it wraps at any width; its default minimum would widen the panel
     return label;
 }
 

@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// From the install prefix, or else from the sources.
+/// The folder below the install prefix, or else in the source tree.
 QDir productFolder(const QString& installed, const QString& inSources) {
     const QDir folder(QCoreApplication::applicationDirPath() + QStringLiteral("/../share/proveout/") +
                       installed);
@@ -32,7 +32,7 @@ QString sampleName(const QString& stem) {
     return stem;
 }
 
-/// What stands behind "# " in the first line of a page.
+/// The text after "# " in the first line of a page.
 QString headingOf(const QString& file) {
     QFile page(file);
     if (!page.open(QIODevice::ReadOnly))

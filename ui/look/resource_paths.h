@@ -8,25 +8,24 @@
 namespace proveout {
 
 struct SampleJob {
-    QString name; ///< for people
+    QString name; ///< the name that is shown
     QString file; ///< the job file
 };
 
-/// The jobs that come with the product, from the install prefix or the build tree; empty where neither has
-/// them.
+/// The sample jobs of the product, from the install prefix or the build tree; empty if neither has them.
 [[nodiscard]] std::vector<SampleJob> sampleJobs();
 
-/// Whether a file lies among the samples: it is opened as a pattern, and changes are saved elsewhere.
+/// Whether a file is one of the samples: it is opened as a template, and changes are saved elsewhere.
 [[nodiscard]] bool isSample(const QString& file);
 
 struct GuidePage {
-    QString id;    ///< "setup": of the panel that it is about
+    QString id;    ///< e.g. "setup": the panel that the page describes
     QString title; ///< its heading
     QString file;
 };
 
-/// The pages of the user guide in the order in which they are listed, each file of its folder one page; empty
-/// where they are not installed.
+/// The pages of the user guide in the sequence in which they are listed, one per file of its folder; empty if
+/// they are not installed.
 [[nodiscard]] std::vector<GuidePage> guidePages();
 
 } // namespace proveout

@@ -87,7 +87,8 @@ QPalette darkPalette() {
 }
 
 MeaningColors meaningColors(const QPalette& palette) {
-    // The pairs differ in lightness too, and the views add shapes, so that nothing is told by hue alone.
+    // The paired colours differ in lightness too, and the views also use shapes, so nothing depends on hue
+    // alone.
     if (isDark(palette))
         return {QColor("#ff8a7a"), QColor("#f2c14e"), QColor("#8fb8de"), QColor("#4fa8f0"),
                 QColor("#b79cf0"), QColor("#7fc4ff"), QColor("#d7dce2"), QColor("#8fae8b"),
@@ -121,7 +122,7 @@ double contrast(const QColor& a, const QColor& b) {
 }
 
 void applyTheme(Theme theme) {
-    const bool system = systemIsDark(); // asked first, before a palette of ours is set
+    const bool system = systemIsDark(); // queried before the application sets its own palette
     const bool dark = theme == Theme::dark || (theme == Theme::system && system);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(dark ? darkPalette() : lightPalette());

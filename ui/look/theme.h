@@ -11,23 +11,25 @@ namespace proveout {
 
 enum class Theme { system, light, dark };
 
-/// The palettes of the product. Texts have a contrast of at least 4.5 : 1 on what they stand on.
+/// The palettes of the product. Text has a contrast of at least 4.5 : 1 against its background.
 [[nodiscard]] QPalette lightPalette();
 [[nodiscard]] QPalette darkPalette();
 
-/// Colours with a meaning; each has 3 : 1 (WCAG's figure for graphics) on the palette's base at least.
+/// Colours with a meaning; each has a contrast of at least 3 : 1 (WCAG's requirement for graphics) against
+/// the palette's base.
 struct MeaningColors {
     QColor error;
     QColor warning;
     QColor note;
-    QColor accent; ///< the current block, the play head
+    QColor accent; ///< the current block and its marker
     QColor toolChange;
     QColor word;       ///< G and M words
     QColor coordinate; ///< axis words
     QColor comment;
     QColor breakpoint;
-    QColor cutting; ///< stretches of the program that cut; air and rapids are lighter, or darker on dark
-    QColor air;     ///< that go through air at feed
+    QColor cutting; ///< parts of the program that cut; air cuts and rapids are lighter, or darker in the dark
+                    ///< theme
+    QColor air;     ///< air cuts at feed rate
 };
 [[nodiscard]] MeaningColors meaningColors(const QPalette& palette);
 [[nodiscard]] QColor severityColor(const MeaningColors& colors, Severity severity);
@@ -36,11 +38,11 @@ struct MeaningColors {
 /// WCAG contrast of two opaque colours, 1 … 21.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
 
-/// Sets style and palette of the application. The first call must come before any other palette is set: it
-/// notes whether the system is dark.
+/// Sets style and palette of the application. The first call must come before any other palette is set,
+/// because it determines whether the system theme is dark.
 void applyTheme(Theme theme);
 
-/// "system", "light", "dark" in settings and on the command line; system where the key is unknown.
+/// "system", "light" or "dark", in the settings and on the command line; an unknown key means system.
 [[nodiscard]] QString themeKey(Theme theme);
 [[nodiscard]] Theme themeFromKey(const QString& key);
 

@@ -14,7 +14,7 @@ bool isBeingTyped(const QSpinBox& box) {
     return box.hasFocus() && (!read || typed != box.value());
 }
 
-/// By the text, because "0." is on its way to another number than 0.
+/// Compares texts and not values, because "0." may be the beginning of another number than 0.
 bool isBeingTyped(const QDoubleSpinBox& box) {
     return box.hasFocus() && box.cleanText() != box.textFromValue(box.value());
 }
@@ -34,7 +34,7 @@ void finishTyping(QWidget& input) {
     if (auto* box = qobject_cast<QAbstractSpinBox*>(&input))
         box->interpretText();
     if (auto* line = qobject_cast<QLineEdit*>(&input); line != nullptr && isBeingTyped(*line))
-        emit line->editingFinished(); // nothing else ends the editing of a line that keeps the focus
+        emit line->editingFinished(); // editing would not end otherwise, because the line keeps the focus
 }
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text in an input that is no value yet: it belongs to the user until it is finished.
+// Text in an input that is not a value yet: it must not be changed until the user has finished it.
 #pragma once
 
 class QDoubleSpinBox;
@@ -10,16 +10,16 @@ class QWidget;
 
 namespace proveout {
 
-/// Whether the box has the focus and holds text that is not its value.
+/// Whether the box has the focus and contains text that differs from its value.
 [[nodiscard]] bool isBeingTyped(const QSpinBox& box);
 [[nodiscard]] bool isBeingTyped(const QDoubleSpinBox& box);
-/// Whether the line has the focus and was edited since its text was set or finished.
+/// Whether the line has the focus and was edited since its text was set or editing finished.
 [[nodiscard]] bool isBeingTyped(const QLineEdit& line);
 
-/// Shows a text that others have set, unless the user is typing another one. Emits nothing.
+/// Shows a text that the program has set, unless the user is typing another one. Emits nothing.
 void showText(QLineEdit& line, const QString& text);
 
-/// Makes the typed text the value of its input, as Return does, where `input` is one that is typed in.
+/// Commits the typed text as Return does, if `input` is a text or number field.
 void finishTyping(QWidget& input);
 
 } // namespace proveout

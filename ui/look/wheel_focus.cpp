@@ -16,7 +16,7 @@ constexpr const char* kMark = "wheelChangesTheValue";
 
 bool isInput(const QWidget& widget) {
     if (qobject_cast<const QScrollBar*>(&widget) != nullptr)
-        return false; // it scrolls
+        return false; // the wheel scrolls it
     return qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
            qobject_cast<const QComboBox*>(&widget) != nullptr ||
            qobject_cast<const QAbstractSlider*>(&widget) != nullptr || widget.property(kMark).toBool();
@@ -27,7 +27,7 @@ bool hasFocusInside(const QWidget& widget) {
     return focus != nullptr && (focus == &widget || widget.isAncestorOf(focus));
 }
 
-/// Qt gives the focus to some widgets before they see the wheel.
+/// Qt gives some widgets the focus before they receive the wheel event.
 void keepFocusFromWheel(QWidget& widget) {
     if (widget.focusPolicy() == Qt::WheelFocus)
         widget.setFocusPolicy(Qt::StrongFocus);
@@ -46,7 +46,7 @@ void WheelFocus::mark(QWidget& input) {
 }
 
 bool WheelFocus::eventFilter(QObject* watched, QEvent* event) {
-    // Polish comes once to what is made later, before it is shown the first time.
+    // Widgets that are created later receive one Polish event before they are first shown.
     if ((event->type() != QEvent::Wheel && event->type() != QEvent::Polish) || !watched->isWidgetType())
         return false;
     auto& widget = static_cast<QWidget&>(*watched);
@@ -56,7 +56,7 @@ bool WheelFocus::eventFilter(QObject* watched, QEvent* event) {
     }
     if (!isInput(widget) || hasFocusInside(widget))
         return false;
-    event->ignore(); // so that it goes to the parent
+    event->ignore(); // so that the parent receives it
     return true;
 }
 

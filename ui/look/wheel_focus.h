@@ -7,15 +7,15 @@ class QWidget;
 
 namespace proveout {
 
-/// Keeps the wheel off every input of the application that does not have the focus: a spin box, combo box or
-/// slider that only lies under the pointer stays as it is, and the panel that it is in scrolls. Nor does the
-/// wheel move the focus. Holds for windows and dialogs alike, as long as this object lives. Thread: UI.
+/// Ignores the wheel on every input that does not have the focus: a spin box, combo box or slider under the
+/// pointer stays unchanged, and its panel scrolls instead. The wheel does not move the focus either. Applies
+/// to all windows and dialogs while this object exists. Thread: UI.
 class WheelFocus final : public QObject {
     Q_OBJECT
 
 public:
     explicit WheelFocus(QObject* parent);
-    /// An input of our own that the wheel changes: it is treated like those of Qt.
+    /// Marks an input class of our own that the wheel changes, so that it is handled like Qt's inputs.
     static void mark(QWidget& input);
 
 protected:

@@ -16,18 +16,18 @@ void paintWith(QImage& image, const QBrush& brush, const QRect& place) {
     painter.fillRect(place, brush);
 }
 
-/// Places as rows of an image whose first one is at `top`; one past the last for NaN.
+/// Converts y positions to rows of an image whose first row is at `top`; NaN becomes one past the last row.
 std::vector<int> rowsOf(const std::vector<double>& places, int top, const QImage& image) {
     std::vector<int> rows(places.size(), image.height());
     for (std::size_t column = 0; column < places.size(); ++column) {
         const double row = (places[column] - top) * image.devicePixelRatio();
-        if (row < image.height()) // not where it is NaN
+        if (row < image.height()) // false if the position is NaN
             rows[column] = static_cast<int>(std::lround(std::max(0.0, row)));
     }
     return rows;
 }
 
-/// Leaves the rows [first, last) of each column.
+/// Clears everything except the rows [first, last) of each column.
 void cutOut(QImage& image, const std::vector<int>& first, const std::vector<int>& last) {
     for (int y = 0; y < image.height(); ++y) {
         auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
@@ -65,13 +65,13 @@ void FilledCurve::drawFill(QCPPainter* painter, QVector<QPointF>* lines) const {
 }
 
 std::vector<double> FilledCurve::bottoms(const Columns& columns) const {
-    // All curves of our plots are of this class.
+    // All curves of our plots have this class.
     if (const auto* other = dynamic_cast<const FilledCurve*>(channelFillGraph())) {
         QVector<QPointF> lines;
         other->getLines(&lines, QCPDataRange(0, other->dataCount()));
         return highest(lines, columns);
     }
-    // There is no 0 on a logarithmic axis.
+    // A logarithmic axis has no 0.
     const bool even = valueAxis()->scaleType() == QCPAxis::stLinear;
     return std::vector<double>(columns.count,
                                valueAxis()->coordToPixel(even ? 0 : valueAxis()->range().lower));
@@ -82,14 +82,14 @@ std::vector<double> FilledCurve::highest(const QVector<QPointF>& lines, const Co
     const auto last = static_cast<double>(columns.count) - 1;
     const auto raise = [&](double column, double y) {
         double& top = tops[static_cast<std::size_t>(column)];
-        top = top <= y ? top : y; // y where it is NaN yet
+        top = top <= y ? top : y; // y if top is still NaN
     };
     const auto place = [&](double x) { return (x - columns.left) / columns.width; };
     const QPointF* before = nullptr;
     for (const QPointF& point : lines) {
         const bool known = std::isfinite(point.x()) && std::isfinite(point.y());
         if (known && place(point.x()) >= 0 && place(point.x()) <= last)
-            raise(std::floor(place(point.x())), point.y()); // a peak thinner than a column
+            raise(std::floor(place(point.x())), point.y()); // a peak narrower than a column
         if (known && before != nullptr && point.x() > before->x()) {
             const double slope = (point.y() - before->y()) / (point.x() - before->x());
             const double from = std::max(0.0, std::ceil(place(before->x()) - 0.5));

@@ -7,9 +7,9 @@
 
 namespace proveout {
 
-/// A curve whose filling is cut out of one picture, a column of pixels at a time. As a polygon, which crosses
-/// itself where many points share a pixel, Qt takes 0.4 s for one jagged curve; so it takes less than its
-/// line.
+/// A curve whose fill is cut out of one image, one pixel column at a time. Filled as a polygon, which crosses
+/// itself where many points share a pixel, a jagged curve takes Qt 0.4 s; this way the fill is faster than
+/// the line.
 class FilledCurve : public QCPGraph {
 public:
     using QCPGraph::QCPGraph;
@@ -20,10 +20,10 @@ protected:
 private:
     struct Columns {
         double left = 0;
-        double width = 1; ///< of one of them
+        double width = 1; ///< width of one column
         std::size_t count = 0;
     };
-    /// The highest place of a curve in each column, as y, which grows downwards; NaN where it has none.
+    /// The highest position of a curve in each column, as y, which grows downwards; NaN if there is none.
     [[nodiscard]] static std::vector<double> highest(const QVector<QPointF>& lines, const Columns& columns);
     [[nodiscard]] std::vector<double> bottoms(const Columns& columns) const;
 };

@@ -6,7 +6,7 @@
 namespace proveout {
 
 std::uint32_t ParameterTrace::numberOf(const DecimationParameters& parameters) {
-    // From the newest on: it is the one nearly always.
+    // Searched from the newest, which is nearly always the right one.
     const auto found = std::find(m_seen.rbegin(), m_seen.rend(), parameters);
     if (found != m_seen.rend())
         return static_cast<std::uint32_t>(m_seen.rend() - found - 1);

@@ -9,21 +9,22 @@
 
 namespace proveout {
 
-/// With which parameters the rows of the blocks were made, to mark where they changed: after a seek back and
-/// a change, old and new rows stand side by side.
+/// The parameters with which the row of each block was computed, used to mark where they changed: after a
+/// seek back and a change, old and new rows are next to each other.
 class ParameterTrace {
 public:
-    /// Of `rows` blocks, those from `first` up to `executed` were made anew with these parameters.
+    /// Of `rows` blocks, those from `first` up to `executed` were recomputed with these parameters.
     void update(const DecimationParameters& parameters, std::size_t first, std::size_t executed,
                 std::size_t rows);
-    /// The last blocks before other parameters, ascending; as block numbers, which begin at 1.
+    /// The last block before each change of parameters, ascending; block numbers start at 1.
     [[nodiscard]] std::vector<std::size_t> changes() const;
 
 private:
     std::uint32_t numberOf(const DecimationParameters& parameters);
 
-    std::vector<DecimationParameters> m_seen; ///< each once, so that a change and its undoing meet unmarked
-    std::vector<std::uint32_t> m_used;        ///< a row of m_seen a block
+    std::vector<DecimationParameters> m_seen; ///< without duplicates, so that a change that was undone is not
+                                              ///< marked
+    std::vector<std::uint32_t> m_used;        ///< index into m_seen, one per block
 };
 
 } // namespace proveout

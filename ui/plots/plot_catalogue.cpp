@@ -14,9 +14,9 @@
 namespace proveout {
 namespace {
 
-constexpr const char* kBlocks = QT_TRANSLATE_NOOP("Plots", "Block"); ///< along the x axis
+constexpr const char* kBlocks = QT_TRANSLATE_NOOP("Plots", "Block"); ///< label of the x axis
 
-// The paper's Fig. 10: faces grow with every cut and fall with every decimation.
+// Fig. 10 of the paper: the number of triangles grows with every cut and falls with every decimation.
 constexpr std::array kFaces{
     PlotSeries{"facesFull", QT_TRANSLATE_NOOP("Plots", "Without decimation"), 1, Qt::DashLine,
                Qt::SolidPattern},
@@ -28,8 +28,8 @@ double faces(const PlotInput& input, std::size_t row, std::size_t series) {
     return asNumber(curves[series]->read({input.blocks, input.program}, row));
 }
 
-// The paper's Fig. 11: where the time of a picture goes. Cutting and decimation are measured block by block;
-// uploading and drawing by picture, which in a fast run or after a jump stands for many blocks.
+// Fig. 11 of the paper: the time spent on a frame. Cutting and decimation are measured per block, uploading
+// and drawing per frame, which covers many blocks in a fast run or after a jump.
 constexpr std::array kTimes{
     PlotSeries{"cutMs", QT_TRANSLATE_NOOP("Plots", "Cutting"), 0, Qt::SolidLine, Qt::SolidPattern},
     PlotSeries{"decimationMs", QT_TRANSLATE_NOOP("Plots", "Decimation"), 2, Qt::SolidLine, Qt::BDiagPattern},
@@ -47,9 +47,9 @@ PictureBlocks pictureBlocks(const PlotInput& input, std::size_t row) {
     return picture != nullptr ? PictureBlocks{picture->firstBlock, picture->lastBlock} : PictureBlocks();
 }
 
-/// In single precision, as it was measured: 0.0005 s are 0.5 ms then.
+/// Rounded to single precision, as it was measured, so that 0.0005 s gives 0.5 ms.
 double milliseconds(const PlotInput& input, std::size_t row, std::size_t series) {
-    constexpr std::size_t kOfBlock = 2; // curves
+    constexpr std::size_t kOfBlock = 2; // curves that are measured per block
     if (series < kOfBlock)
         return double{1e3F *
                       (series == 0 ? input.blocks[row].cutSeconds : input.blocks[row].decimationSeconds)};
@@ -72,7 +72,7 @@ constexpr std::array kPerLength{
 
 using ByTimes = double (*)(const MachineTimes&, std::size_t block, const BlockStatistics&);
 
-/// Where the times of the block are not known yet, there is a gap: 0 would say that it goes through air.
+/// A gap where the times of the block are not known yet: 0 would mean an air cut.
 template<ByTimes value>
 double timed(const PlotInput& input, std::size_t row, std::size_t) {
     if (input.times == nullptr || row + 1 >= input.times->secondsAfter.size())
@@ -80,7 +80,7 @@ double timed(const PlotInput& input, std::size_t row, std::size_t) {
     return value(*input.times, row, input.blocks[row]);
 }
 
-/// The curves of the plots that statistics have of their own, by the order of the table.
+/// The curves of the statistics that have a plot of their own, in the sequence of the table.
 std::vector<PlotSeries> ownCurves() {
     std::vector<PlotSeries> curves;
     for (const BlockStatistic& statistic : blockStatistics())

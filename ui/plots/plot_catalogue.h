@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of plots: one row a plot. Panel, export and tests read it. A statistic of blocks with a plot of
-// its own (core/simulation/records/block_statistic.h) is in it without a row here.
+// The table of plots: one row per plot, used by the panel, export and tests. A block statistic with a plot of
+// its own (core/simulation/records/block_statistic.h) is included without a row here.
 #pragma once
 
 #include <cstddef>
@@ -17,42 +17,42 @@
 
 namespace proveout {
 
-/// What plots are drawn from. References must outlive the call they are given to.
+/// The data that plots are drawn from. References must stay valid during the call that uses them.
 struct PlotInput {
     const PersistentArray<BlockStatistics>& blocks; ///< row k: block k + 1
     const std::vector<FrameStatistics>& frames;
-    const MachineTimes* times = nullptr; ///< of the blocks' program; null: not known yet
-    const Program* program = nullptr;    ///< of the blocks; null: what depends on it is not known
+    const MachineTimes* times = nullptr; ///< for the program of the blocks; null: not known yet
+    const Program* program = nullptr;    ///< of the blocks; null: values that depend on it are unknown
 };
 
-/// One curve. Curves differ by dash or filling too, never by colour alone.
+/// One curve. Curves also differ by dash pattern or fill, never by colour alone.
 struct PlotSeries {
     const char* key;   ///< column in a CSV file
-    const char* label; ///< for people; marked under the context "Plots"
-    int colour;        ///< row of seriesColour()
+    const char* label; ///< the name that is shown; marked in the context "Plots"
+    int colour;        ///< index for seriesColour()
     Qt::PenStyle pen;
-    Qt::BrushStyle fill; ///< down to the axis, or to the curve before it in a stack
+    Qt::BrushStyle fill; ///< down to the axis, or to the curve below it if stacked
 };
 
-/// The blocks (first, last] of one picture.
+/// The blocks (first, last] of one frame.
 struct PictureBlocks {
     std::uint32_t first = 0;
-    std::uint32_t last = 0; ///< equal to `first`: no picture is known
+    std::uint32_t last = 0; ///< equal to `first`: no frame is known
 };
 
-/// One plot over the blocks; row k is of block k + 1.
+/// One plot over the blocks; row k belongs to block k + 1.
 struct PlotSpec {
     const char* id;    ///< stable
-    const char* title; ///< marked under the context "Plots", like the labels
+    const char* title; ///< marked in the context "Plots", like the labels
     const char* xLabel;
     const char* yLabel; ///< with the unit
-    bool stacked;       ///< curves stand on each other, in the order of `series`
+    bool stacked;       ///< curves are stacked in the sequence of `series`
     bool timed;         ///< values change with PlotInput::times
-    bool wide;          ///< on a logarithmic axis where its values differ too much for an even one
+    bool wide;          ///< uses a logarithmic axis if its values differ too much for a linear one
     std::span<const PlotSeries> series;
     std::function<double(const PlotInput&, std::size_t row, std::size_t series)>
-        y; ///< of the curve itself, not of the stack; NaN: not known
-    /// Null unless some curves were measured by picture; a row then has its share, the mean of a block.
+        y; ///< value of the curve itself, not of the stack; NaN: unknown
+    /// Null unless some curves are measured per frame; a row then shows its share, the mean per block.
     PictureBlocks (*picture)(const PlotInput&, std::size_t row) = nullptr;
 };
 

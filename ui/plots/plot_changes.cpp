@@ -53,8 +53,8 @@ PlotHistory::Changes PlotHistory::update(const PersistentArray<BlockStatistics>&
 
 void PlotHistory::add(const FrameStatistics& row, bool playing, Changes& changes) {
     if (!playing && !m_frames.empty() && row.lastBlock <= m_frames.back().lastBlock)
-        return; // A seek to blocks that were measured before.
-    // Rows ascend and do not overlap: of those that share blocks with the new one, the others' stay.
+        return; // A seek to blocks that have been measured already.
+    // Rows are ascending and do not overlap: a row that overlaps the new one keeps only its other blocks.
     const auto from = std::ranges::upper_bound(m_frames, row.firstBlock, {}, &FrameStatistics::lastBlock);
     auto to = from;
     while (to != m_frames.end() && to->firstBlock < row.lastBlock)

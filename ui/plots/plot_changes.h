@@ -8,23 +8,23 @@
 
 namespace proveout {
 
-/// What the plots are drawn from: all that was measured of the program. Most ticks append some rows, a run
-/// after a seek back rewrites some, a load brings others.
+/// The data that the plots are drawn from: everything measured for the program. Most ticks append some rows,
+/// a run after a seek back replaces some, and loading a program replaces all of them.
 class PlotHistory {
 public:
-    /// First rows that differ from the time before (or the number of rows, where some went away or none
-    /// came).
+    /// The first rows that differ from the previous update (or the number of rows, if rows were only removed
+    /// or nothing has changed).
     struct Changes {
         std::size_t firstBlock = 0;
         std::size_t firstFrame = 0;
-        std::size_t firstPictured = 0; ///< the first block whose picture is another one
+        std::size_t firstPictured = 0; ///< the first block with a different frame
         bool any = false;
     };
-    /// Takes over the present rows. Frames that the session no longer counts after a seek back stay until
-    /// their blocks are played again (`playing`): a look at an earlier block measures nothing.
+    /// Adopts the current rows. Frames that the session has dropped after a seek back stay until their blocks
+    /// are played again (`playing`), because showing an earlier block measures nothing.
     [[nodiscard]] Changes update(const PersistentArray<BlockStatistics>& blocks,
                                  const std::vector<FrameStatistics>& frames, bool playing);
-    /// Other rows are to come: of another program, stock or text.
+    /// Call it when the rows will be replaced, because program, stock or text is another one.
     void forgetFrames();
 
     [[nodiscard]] const PersistentArray<BlockStatistics>& blocks() const { return m_blocks; }
@@ -34,8 +34,8 @@ private:
     void add(const FrameStatistics& row, bool playing, Changes& changes);
 
     PersistentArray<BlockStatistics> m_blocks;
-    std::vector<FrameStatistics> m_session; ///< as the session had them at the last update
-    std::vector<FrameStatistics> m_frames;  ///< with those that stay
+    std::vector<FrameStatistics> m_session; ///< as in the session at the last update
+    std::vector<FrameStatistics> m_frames;  ///< including those that the session has dropped
     bool m_forgotten = false;               ///< m_frames was emptied since the last update
 };
 

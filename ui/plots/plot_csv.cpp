@@ -8,12 +8,12 @@
 namespace proveout {
 namespace {
 
-/// Nothing where the value is not known.
+/// Appends nothing if the value is unknown.
 void append(std::string& text, double value) {
     if (std::isnan(value))
         return;
     std::array<char, 32> digits{};
-    // Most values come from floats and counts, which nine digits give back.
+    // Most values come from floats and counts, which nine digits represent exactly.
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 9);
     text.append(digits.data(), end.ptr);

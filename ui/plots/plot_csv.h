@@ -7,7 +7,8 @@
 
 namespace proveout {
 
-/// The data of a plot: a line of keys, then a line a row; comma and point whatever the locale.
+/// The data of a plot as CSV: a line of keys, then one line per row; separated by commas, with decimal points
+/// in any locale.
 [[nodiscard]] std::string plotCsv(const PlotSpec& plot, const PlotInput& input);
 
 } // namespace proveout

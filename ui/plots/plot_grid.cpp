@@ -11,7 +11,7 @@ PlotGrid::PlotGrid(QWidget* parent) : QScrollArea(parent), m_inner(new QWidget) 
     setWidget(m_inner);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFocusPolicy(Qt::NoFocus); // the plots have it
+    setFocusPolicy(Qt::NoFocus); // the plots take the focus
 }
 
 void PlotGrid::add(PlotView* plot) {
@@ -40,13 +40,13 @@ void PlotGrid::arrange() {
     const QSize area = viewport()->size();
     const int most = std::clamp(area.width() / kLeastWidth, 1, count);
     const int rows = (count + most - 1) / most;
-    const int columns = (count + rows - 1) / rows; // rows of about the same length
+    const int columns = (count + rows - 1) / rows; // makes all rows about equally long
     const int height = std::max(kLeastHeight, area.height() / rows);
     const bool scrolls = rows * height > area.height();
     m_inner->resize(area.width(), scrolls ? rows * height : area.height());
     for (int k = 0; k < count; ++k) {
         const int row = k / columns;
-        const int inRow = std::min(columns, count - row * columns); // the last ones share its width
+        const int inRow = std::min(columns, count - row * columns); // the last row may have fewer
         const int left = area.width() * (k % columns) / inRow;
         const int right = area.width() * (k % columns + 1) / inRow;
         shown[static_cast<std::size_t>(k)]->setGeometry(left, row * height, right - left, height);

@@ -9,8 +9,7 @@
 
 namespace proveout {
 
-/// Plots in rows: as many beside each other as can be read, and it scrolls where the rows do not fit. Thread:
-/// UI.
+/// Plots in rows, with as many per row as remain readable; scrolls if the rows do not fit. Thread: UI.
 class PlotGrid : public QScrollArea {
     Q_OBJECT
 
@@ -20,9 +19,9 @@ public:
 
     explicit PlotGrid(QWidget* parent = nullptr);
 
-    /// Takes the plot over.
+    /// Takes ownership of the plot.
     void add(PlotView* plot);
-    /// Hidden plots take no place.
+    /// Hidden plots use no space.
     void setShown(PlotView& plot, bool shown);
 
 protected:

@@ -4,7 +4,7 @@
 namespace proveout {
 namespace {
 
-constexpr double kAsLittleAsPossible = 1e-3; // of the room that stretches
+constexpr double kAsLittleAsPossible = 1e-3; // share of the stretchable space
 constexpr int kMargin = 4;                   // px
 
 int widthOf(const QCPLayoutElement& element) {
@@ -73,7 +73,7 @@ void PlotHeader::fit(int width) {
 
 void PlotHeader::placeLegend(int row, int column) {
     m_grid->addElement(row, column, m_legend);
-    m_grid->setColumnStretchFactor(0, 1); // the title takes what is left
+    m_grid->setColumnStretchFactor(0, 1); // the title gets the remaining width
     if (column > 0)
         m_grid->setColumnStretchFactor(column, kAsLittleAsPossible);
 }

@@ -5,16 +5,16 @@
 
 namespace proveout {
 
-/// The title of a plot and, where it has several curves, its legend: above the curves, which keep their whole
-/// width. The legend is beside the title where there is room, else below.
+/// The title of a plot and, if it has several curves, its legend. Both are above the curves, which keep their
+/// full width. The legend is next to the title if there is space, otherwise below it.
 class PlotHeader {
 public:
-    /// In a row of its own above the axes; the plot owns what is made. `curves`: how many it will have.
+    /// Placed in a row of its own above the axes; the plot owns the elements. `curves`: their number.
     PlotHeader(QCustomPlot& plot, std::size_t curves);
 
     void setTitle(const QString& title);
     void style(const QFont& font, const QColor& text);
-    /// For a plot of that width, px.
+    /// Arranges title and legend for a plot of that width, px.
     void fit(int width);
 
 private:
@@ -22,7 +22,7 @@ private:
 
     QCPLayoutGrid* m_grid;
     QCPTextElement* m_title;
-    QCPLegend* m_legend; ///< null: one curve, which the title names
+    QCPLegend* m_legend; ///< null: there is one curve, which the title names
 };
 
 } // namespace proveout

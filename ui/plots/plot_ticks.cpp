@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kThousand = 1e3;
 constexpr double kMillion = 1e6;
-constexpr double kWrittenOut = 1e4; ///< numbers below it
+constexpr double kWrittenOut = 1e4; ///< smaller numbers are not shortened
 constexpr int kDigits = 4;          ///< of a short number
-constexpr int kExactDigits = 12;    ///< more than any tick has
+constexpr int kExactDigits = 12;    ///< more than any tick needs
 const QString kNarrowSpace(QChar(0x202F));
 
 QVector<double> logarithmicTicks(const QCPRange& range, const QVector<double>& ofPower) {

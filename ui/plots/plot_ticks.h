@@ -5,15 +5,15 @@
 
 namespace proveout {
 
-/// A number as an axis writes it: large ones short, "1.2 M" and "40 k", in the user's way of writing.
+/// A number as an axis shows it: large ones shortened, "1.2 M" or "40 k", formatted for the locale.
 [[nodiscard]] QString shortNumber(double value, const QLocale& locale);
 
-/// Ticks with such labels. On a logarithmic axis they are at 1, 2 and 5 of every power of ten, or at 1 alone
-/// where these would be too many.
+/// Ticks with such labels. On a logarithmic axis they are at 1, 2 and 5 times every power of ten, or only at
+/// 1 if that would be too many.
 class PlotTicks : public QCPAxisTicker {
 public:
     void setLogarithmic(bool on) { m_logarithmic = on; }
-    /// Of what is counted: there is no tick at half of one.
+    /// For counts, which have no ticks at fractions.
     void setWhole(bool on) { m_whole = on; }
 
 protected:

@@ -20,22 +20,22 @@ namespace {
 constexpr double kZoomPerStep = 0.8;
 constexpr double kNearPixels = 4;
 constexpr int kMostTicks = 6;
-constexpr int kTickHeight = 34; ///< px that a label and the room about it take
-constexpr int kBesides = 70;    ///< px about the curves: header, labels, titles of axes
-constexpr int kTickGap = 28;    ///< px between labels beside each other
-/// Of the lowest to the highest value in sight: beyond it an even axis would press the low ones flat.
+constexpr int kTickHeight = 34; ///< px, a label with the space around it
+constexpr int kBesides = 70;    ///< px around the curves: header, labels, axis titles
+constexpr int kTickGap = 28;    ///< px between adjacent labels
+/// Ratio of the highest to the lowest visible value above which a linear axis would flatten the low values.
 constexpr double kWideValues = 8;
-/// Free above the highest value, and below the lowest one on a logarithmic axis.
+/// Free space above the highest value, and on a logarithmic axis also below the lowest one, as factors.
 constexpr double kHeadroom = 1.06;
 constexpr double kWideHeadroom = 1.4;
 constexpr std::size_t kMostSmoothRows = 20000;
-constexpr double kAheadOfBlock = 0.06; ///< of a followed span, free to the right of the current block
+constexpr double kAheadOfBlock = 0.06; ///< share of the visible span that stays free after the current block
 
 QString translated(const char* text) {
     return QCoreApplication::translate("Plots", text);
 }
 
-/// Okabe and Ito's colours, a little darker or lighter than theirs where the background asks for contrast.
+/// The colours of Okabe and Ito, slightly darker or lighter where the background requires more contrast.
 QColor seriesColour(int index, bool dark) {
     static const std::array kLight{QColor(0x00, 0x5F, 0xA3), QColor(0x6B, 0x72, 0x7B),
                                    QColor(0xB8, 0x4A, 0x00), QColor(0x00, 0x7A, 0x5A),
@@ -47,7 +47,7 @@ QColor seriesColour(int index, bool dark) {
     return dark ? kDark[at] : kLight[at];
 }
 
-/// One string for a number of any size, in the user's way of writing.
+/// Formats a number of any size for the locale.
 QString number(double value) {
     if (std::isnan(value))
         return QStringLiteral("–");
@@ -86,18 +86,18 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
 
 void PlotView::addCurves() {
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
-        auto* curve = new FilledCurve(xAxis, yAxis); // the plot takes it over
+        auto* curve = new FilledCurve(xAxis, yAxis); // owned by the plot
         curve->setAdaptiveSampling(true);
         if (m_spec.stacked && index > 0)
             curve->setChannelFillGraph(graph(static_cast<int>(index) - 1));
     }
-    // A curve with nothing on it is the line that is seen, not the last one of those that lie on it.
+    // Draws stacked curves from top to bottom: where one adds nothing, the line below it must be visible.
     for (int index = graphCount() - 1; m_spec.stacked && index >= 0; --index)
         graph(index)->setLayer(graph(index)->layer());
 }
 
 void PlotView::setTexts() {
-    setLocale(QLocale()); // the axes group digits as the texts do
+    setLocale(QLocale()); // the axes must group digits as the texts do
     m_header.setTitle(translated(m_spec.title));
     xAxis->setLabel(translated(m_spec.xLabel));
     setLogarithmic(yAxis->scaleType() == QCPAxis::stLogarithmic);
@@ -141,24 +141,24 @@ void PlotView::styleCurves() {
         const PlotSeries& series = m_spec.series[index];
         const QColor colour = seriesColour(series.colour, isDark(palette()));
         QCPGraph* curve = graph(static_cast<int>(index));
-        // One pixel wide: anything wider goes through Qt's stroker, which takes minutes for a jagged curve.
+        // One pixel wide: Qt draws wider lines with its stroker, which takes minutes for a jagged curve.
         curve->setPen(QPen(colour, 1, series.pen));
         QColor fill = colour;
         fill.setAlphaF(series.fill == Qt::SolidPattern ? 0.22f : 0.75f);
-        // An area says how much, which it cannot on a logarithmic axis.
+        // An area represents an amount, which is not possible on a logarithmic axis.
         const bool filled = series.fill != Qt::NoBrush && !logarithmic;
         curve->setBrush(filled ? QBrush(fill, series.fill) : QBrush(Qt::NoBrush));
     }
 }
 
-/// Wider with the focus, as on the timeline: the keys move it then.
+/// Wider with the focus, as on the timeline, because the arrow keys move it then.
 void PlotView::styleMark() {
     m_mark->setPen(QPen(meaningColors(palette()).accent, hasFocus() ? 3 : 1.5));
 }
 
 void PlotView::setRows(const PlotInput& input, std::size_t first) {
     const std::size_t count = input.blocks.size();
-    // A curve of more rows than pixels is a band: smoothing its edges shows nothing and doubles its cost.
+    // With more rows than pixels a curve is a band: antialiasing it is invisible and doubles the cost.
     setNotAntialiasedElement(QCP::aePlottables, count > kMostSmoothRows);
     const auto added = static_cast<int>(count - std::min(first, count));
     std::vector<double> below(static_cast<std::size_t>(added), 0.0);
@@ -198,7 +198,7 @@ double PlotView::value(std::size_t series, std::size_t row) const {
     return pointOf(series, row)->value - below;
 }
 
-// --- what is seen
+// --- what is shown
 
 void PlotView::setFollowing(bool following) {
     if (following == m_following)
@@ -220,7 +220,7 @@ void PlotView::setBlock(std::size_t block, std::size_t blockCount) {
     m_mark->point1->setCoords(x, 0);
     m_mark->point2->setCoords(x, 1);
     fitAxes();
-    // Queued and without a repaint of its own, so that all plots and the 3D view share one composition.
+    // Queued, so that all plots and the 3D view are repainted together.
     replot(rpQueuedRefresh);
 }
 
@@ -262,7 +262,7 @@ void PlotView::fitAxes() {
     fitTicks();
     const bool measured = rows() > 0;
     m_hint->setVisible(!measured);
-    yAxis->setTickLabels(measured); // else they would be figures of nothing
+    yAxis->setTickLabels(measured); // without curves the labels would mean nothing
 }
 
 void PlotView::fitValues() {
@@ -276,7 +276,7 @@ void PlotView::fitValues() {
         yAxis->setRange(0, values ? values->upper * kHeadroom : 1);
 }
 
-/// As many as have room for their labels.
+/// Uses as many ticks as their labels have space for.
 void PlotView::fitTicks() {
     const QString last = shortNumber(static_cast<double>(std::max(m_block, m_blockCount)), QLocale());
     const int width = QFontMetrics(xAxis->tickLabelFont()).horizontalAdvance(last) + kTickGap;
@@ -307,7 +307,7 @@ std::optional<QCPRange> PlotView::valuesInSight() const {
 
 std::size_t PlotView::rowAt(double block) const {
     const auto points = graph(0)->data();
-    auto found = points->findBegin(block, false); // the first one that reaches so far
+    auto found = points->findBegin(block, false); // the first frame that extends this far
     found = std::clamp(found, points->constBegin(), points->constEnd() - 1);
     if (found != points->constBegin() && block - (found - 1)->key < found->key - block)
         --found;
@@ -329,7 +329,7 @@ std::optional<std::size_t> PlotView::peakAt(double pixelX) const {
     return static_cast<std::size_t>(peak - points->constBegin());
 }
 
-/// Which values of a row are means, and over which blocks.
+/// States which values of a row are means, and over which blocks.
 QString PlotView::pictureText(std::size_t row) const {
     if (m_spec.picture == nullptr)
         return {};
@@ -360,7 +360,7 @@ QString PlotView::valuesAt(double pixelX) const {
     return text;
 }
 
-// --- the user's gestures
+// --- user input
 
 void PlotView::mousePressEvent(QMouseEvent* event) {
     m_dragged = false;
@@ -369,7 +369,7 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
 
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
     if ((event->buttons() & Qt::LeftButton) == 0) {
-        // A tool tip is a window of its own: showing it does not compose the main window again.
+        // A tooltip is a separate window, so showing it does not repaint the main window.
         QToolTip::showText(event->globalPosition().toPoint(), valuesAt(event->position().x()), this);
         return;
     }
@@ -393,7 +393,7 @@ void PlotView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent*) {
-    m_dragged = true; // The release that follows is no click.
+    m_dragged = true; // The release that follows is not a click.
     showAll();
 }
 
@@ -409,7 +409,7 @@ void PlotView::wheelEvent(QWheelEvent* event) {
         showAll();
     } else {
         m_span = std::max(xAxis->range().size(), 5.0);
-        // The place under the pointer stays; following goes on with this span when it is asked for.
+        // The position under the pointer stays fixed; following later continues with this span.
         setFollowing(false);
         setBlock(m_block, m_blockCount);
     }
@@ -446,7 +446,7 @@ void PlotView::changeEvent(QEvent* event) {
     QCustomPlot::changeEvent(event);
 }
 
-// --- pictures
+// --- export
 
 QByteArray PlotView::png(double scale) {
     QByteArray bytes;

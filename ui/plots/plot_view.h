@@ -14,8 +14,7 @@ class QScrollBar;
 
 namespace proveout {
 
-/// One plot of the catalogue. Thread: UI. Data is appended row by row; setBlock() repaints at the next
-/// chance.
+/// A plot of the catalogue. Thread: UI. Data is appended row by row; setBlock() schedules a repaint.
 class PlotView : public QCustomPlot {
     Q_OBJECT
 
@@ -23,25 +22,25 @@ public:
     explicit PlotView(const PlotSpec& spec, QWidget* parent = nullptr);
 
     [[nodiscard]] const PlotSpec& spec() const { return m_spec; }
-    /// Drops the rows from `first` on and takes those of `input` in their place.
+    /// Removes the rows from `first` on and replaces them with those of `input`.
     void setRows(const PlotInput& input, std::size_t first);
-    /// Draws a dashed line at each of these blocks, at the next setBlock().
+    /// Sets the blocks at which setBlock() will draw a dashed line.
     void setParameterChanges(const std::vector<std::size_t>& blocks);
-    /// Marks the current block, moves the axes where they follow, and repaints.
+    /// Marks the current block, scrolls the axes if they follow, and repaints.
     void setBlock(std::size_t block, std::size_t blockCount);
 
     [[nodiscard]] bool following() const { return m_following; }
     void setFollowing(bool following);
-    /// All blocks, following.
+    /// Shows all blocks and follows the current one.
     void showAll();
 
-    /// What is told about the row nearest to a pixel; empty where there is none.
+    /// The text about the row nearest to a pixel; empty if there is none.
     [[nodiscard]] QString valuesAt(double pixelX) const;
-    /// The value of one curve at a row, as drawn (stacked plots: without those below).
+    /// The value of one curve in a row, as drawn (stacked plots: without the curves below).
     [[nodiscard]] double value(std::size_t series, std::size_t row) const;
     [[nodiscard]] std::size_t rows() const { return rows(0); }
-    /// Where it stands in an area that scrolls, the wheel moves its bar, and zooms with Ctrl held down; null
-    /// elsewhere. (The base class keeps mouse events from its parents.)
+    /// In a scroll area the wheel moves its bar, and zooms only with Ctrl pressed; null outside of one. (The
+    /// base class does not pass mouse events to its parents.)
     void setScrollBar(QScrollBar* bar) { m_scrollBar = bar; }
 
     [[nodiscard]] QByteArray png(double scale);
@@ -73,12 +72,12 @@ private:
     void fitTicks();
     [[nodiscard]] std::size_t rows(std::size_t series) const;
     [[nodiscard]] QCPGraphDataContainer::const_iterator pointOf(std::size_t series, std::size_t row) const;
-    /// Of the points in sight those above 0; empty where there are none.
+    /// The range of the visible values above 0; empty if there are none.
     [[nodiscard]] std::optional<QCPRange> valuesInSight() const;
     void setLogarithmic(bool on);
     [[nodiscard]] QString pictureText(std::size_t row) const;
     [[nodiscard]] std::size_t rowAt(double block) const;
-    /// Where several rows of blocks stand on one pixel: the highest of them, which is the one that is seen.
+    /// If several rows of blocks share a pixel: the highest of them, because that one is visible.
     [[nodiscard]] std::optional<std::size_t> peakAt(double pixelX) const;
     void styleChanges();
 
@@ -86,14 +85,14 @@ private:
     PlotHeader m_header;
     QSharedPointer<PlotTicks> m_blockTicks;
     QSharedPointer<PlotTicks> m_valueTicks;
-    std::vector<PictureBlocks> m_pictures; ///< of the rows, where the plot has them
+    std::vector<PictureBlocks> m_pictures; ///< one per row, if the plot uses them
     QCPItemStraightLine* m_mark;
-    QCPItemText* m_hint;                         ///< in place of curves, before there is anything to show
+    QCPItemText* m_hint;                         ///< shown instead of curves while there is no data
     std::vector<QCPItemStraightLine*> m_changes; ///< owned by the plot
     std::size_t m_block = 0;
     std::size_t m_blockCount = 0;
     bool m_following = true;
-    double m_span = 0; ///< blocks shown; 0: all
+    double m_span = 0; ///< number of blocks shown; 0: all
     bool m_dragged = false;
     QScrollBar* m_scrollBar = nullptr; ///< not owned
     QPointF m_pressed;

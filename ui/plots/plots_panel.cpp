@@ -19,7 +19,7 @@
 namespace proveout {
 namespace {
 
-constexpr std::size_t kShownAtFirst = 2; ///< the paper's two figures
+constexpr std::size_t kShownAtFirst = 2; ///< the two figures of the paper
 constexpr double kPngScale = 2;
 
 struct ExportRow {
@@ -29,7 +29,7 @@ struct ExportRow {
     const char* filter;
 };
 
-/// In the order of PlotFormat.
+/// Same order as PlotFormat.
 constexpr std::array kExports{
     ExportRow{PlotFormat::csv, "csv", QT_TRANSLATE_NOOP("PlotsPanel", "Export as &CSV…"),
               QT_TRANSLATE_NOOP("PlotsPanel", "CSV (*.csv)")},
@@ -56,7 +56,7 @@ PlotsPanel::PlotsPanel(Session& session, QWidget* parent)
     m_follow->setCheckable(true);
     m_follow->setChecked(true);
     m_bar->addAction(m_follow);
-    addActions(m_bar->actions()); // The main window lists them in its menus.
+    addActions(m_bar->actions()); // The main window shows them in its menus.
     connect(m_follow, &QAction::triggered, this, [this](bool on) {
         for (PlotView* view : m_views) {
             view->setFollowing(on);
@@ -68,7 +68,7 @@ PlotsPanel::PlotsPanel(Session& session, QWidget* parent)
 }
 
 void PlotsPanel::addView(const PlotSpec& spec, bool shown) {
-    auto* view = new PlotView(spec); // the grid takes it over
+    auto* view = new PlotView(spec); // the grid takes ownership
     view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(view, &PlotView::blockClicked, &m_session.playback(), &PlaybackHub::seek);
     connect(view, &PlotView::followingChanged, this,
@@ -106,7 +106,7 @@ void PlotsPanel::addKeys(QAction* action) {
         view->addAction(action);
 }
 
-/// Whether they are other times than before.
+/// Returns whether the times have changed.
 bool PlotsPanel::useTimes(const Frame* frame) {
     const auto& known = m_session.program().times();
     const bool fits = known && frame != nullptr && known->program == frame->program;
@@ -120,7 +120,7 @@ PlotInput PlotsPanel::input() const {
 
 void PlotsPanel::refresh() {
     if (!isVisible())
-        return; // Caught up with when it is shown.
+        return; // The update follows when the panel is shown.
     static const PersistentArray<BlockStatistics> kNone;
     const FramePtr& frame = m_session.simulation().frame();
     if (const std::uint64_t generation = frame ? frame->generation : 0; generation != m_generation) {

@@ -18,25 +18,25 @@ class QToolBar;
 
 namespace proveout {
 
-/// What a plot is exported as.
+/// The file format of an exported plot.
 enum class PlotFormat : std::uint8_t { csv, png, svg };
 
-/// The plots of the catalogue in rows, live; a button shows or hides each. Clicking a plot seeks.
-/// Thread: UI.
+/// The plots of the catalogue in rows, updated live; a button shows or hides each plot. Clicking a plot
+/// seeks. Thread: UI.
 class PlotsPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit PlotsPanel(Session& session, QWidget* parent = nullptr);
 
-    /// In the order of plotCatalogue().
+    /// Same order as plotCatalogue().
     [[nodiscard]] const std::vector<PlotView*>& views() const { return m_views; }
-    /// Its keys act with the focus in a plot.
+    /// The action's keys are active while a plot has the focus.
     void addKeys(QAction* action);
     [[nodiscard]] QString csv(const PlotView& view) const;
-    /// Whatever the name's ending. What went wrong is told to the session.
+    /// The extension of the file does not matter. Errors are reported to the session.
     bool exportTo(PlotView& view, const QString& file, PlotFormat format);
-    /// Asks for the file; false where the user cancels, too.
+    /// Asks for the file; also false if the user cancels.
     bool askAndExport(PlotView& view, PlotFormat format);
 
 protected:
@@ -54,14 +54,14 @@ private:
     Session& m_session;
     PlotHistory m_history;
     ParameterTrace m_trace;
-    std::shared_ptr<const Program> m_program;    ///< of m_history
-    std::shared_ptr<const MachineTimes> m_times; ///< of the program of m_history; null: not known yet
-    std::uint64_t m_generation = 0;              ///< of the frame that m_history was updated with
+    std::shared_ptr<const Program> m_program;    ///< the program of m_history
+    std::shared_ptr<const MachineTimes> m_times; ///< times for the program of m_history; null: not known yet
+    std::uint64_t m_generation = 0;              ///< generation of the frame that last updated m_history
     QToolBar* m_bar;
     PlotGrid* m_grid;
     QAction* m_follow;
     std::vector<PlotView*> m_views;
-    std::vector<QAction*> m_shown; ///< one a view
+    std::vector<QAction*> m_shown; ///< one per view
     std::size_t m_block = 0;
     std::size_t m_blockCount = 0;
 };

@@ -10,8 +10,8 @@
 namespace proveout {
 namespace {
 
-constexpr int kPatience = 200;      // ms; what is answered sooner shows no progress
-constexpr double kLeastStep = 0.02; // of progress, worth telling
+constexpr int kPatience = 200;      // ms; faster searches show no progress
+constexpr double kLeastStep = 0.02; // smallest change of progress that is reported
 
 PlaceAnswer answerOf(const Frame& moment, const std::optional<std::size_t>& block) {
     if (!block)
@@ -55,7 +55,7 @@ void BlockSearch::finish() {
         emit progressed();
 }
 
-/// On the thread of the task; exceptions end here.
+/// Runs on the task's thread; exceptions are caught here.
 void BlockSearch::carryOut(const FramePtr& moment, const MapPoint& point, const Reply& reply) {
     WorkContext context{reply.stop, {}};
     context.progress = [&, reported = 0.0](double done) mutable {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which block of the program made a place of the stock, found in the background.
+// Finds in the background which block of the program cut a position on the stock.
 #pragma once
 
 #include <cstddef>
@@ -18,43 +18,44 @@
 
 namespace proveout {
 
-/// A place of the stock that somebody points at. Value type.
+/// A position on the stock that the user picked. Value type.
 struct PickedPlace {
-    FramePtr moment;               ///< whose map was met: of the stock, or of a closer look; null: none was
-    std::optional<MapPoint> point; ///< nothing: the outer side or the underside of the stock
+    FramePtr moment;               ///< whose z-map was hit: of the stock, or of a detail region; null: no hit
+    std::optional<MapPoint> point; ///< empty: the outer side or the underside of the stock
 };
 
-/// What is known of such a place. Value type.
+/// What is known about such a position. Value type.
 struct PlaceAnswer {
     enum class Kind : std::uint8_t {
         noStock,
-        neverCut, ///< up to `block`
-        outdated, ///< the program or its set-up is no longer that of the moment
+        neverCut, ///< not up to `block`
+        outdated, ///< program or setup have changed since that moment
         cut,      ///< by block `block`
     };
     Kind kind = Kind::noStock;
-    std::size_t block = 0;    ///< that many are executed at that moment; of a cut, with the one that made it
-    std::uint32_t line = 0;   ///< of a cut: its source line, from 1
-    int tool = 0;             ///< of a cut
+    std::size_t block = 0;    ///< blocks executed at that moment; for a cut, up to and including the block
+                              ///< that made it
+    std::uint32_t line = 0;   ///< for a cut: its source line, from 1
+    int tool = 0;             ///< for a cut
     bool toolAssumed = false; ///< ToolChoice::isAssumed()
 
     friend bool operator==(const PlaceAnswer&, const PlaceAnswer&) = default;
 };
 
-/// Asks the motions of the program; the newest question counts. Thread: UI.
+/// Finds the block that cut a position on the stock. A new request replaces the previous one. Thread: UI.
 class BlockSearch : public QObject {
     Q_OBJECT
 
 public:
-    /// As blockThatMade(), which it is where none is given; called on a thread of its own.
+    /// Same signature as blockThatMade(), which is the default; called on a thread of its own.
     using Find = std::function<std::optional<std::size_t>(const Frame&, const MapPoint&, const WorkContext&)>;
     explicit BlockSearch(QObject* parent = nullptr, Find find = {});
 
-    /// What was asked before is forgotten. The point is one of the moment's map.
+    /// Discards the previous request. The point must be a point of the moment's z-map.
     void ask(const FramePtr& moment, const MapPoint& point);
-    /// Forgets the question: nothing is told of it any more.
+    /// Discards the request; nothing more is reported about it.
     void cancel();
-    /// In [0, 1], of a question that takes long enough to be told of; else nothing.
+    /// In [0, 1] for a search that takes long enough to show progress; otherwise empty.
     [[nodiscard]] const std::optional<double>& done() const { return m_done; }
 
 signals:
@@ -67,10 +68,10 @@ private:
     void carryOut(const FramePtr& moment, const MapPoint& point, const Reply& reply);
     void finish();
 
-    Find m_find; ///< used on the thread of the task only
+    Find m_find; ///< used only on the task's thread
     QTimer m_patience;
     std::optional<double> m_done;
-    NewestTask m_task; ///< last: its thread ends before what it uses
+    NewestTask m_task; ///< last member: its thread must end before what it uses is destroyed
 };
 
 } // namespace proveout

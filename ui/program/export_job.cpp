@@ -24,7 +24,7 @@ namespace proveout {
 
 namespace {
 
-/// Decimation takes most of the time; the shares of the whole in which each step ends.
+/// Progress at the end of each step; decimation takes most of the time.
 constexpr double kDecimated = 0.6;
 constexpr double kClosed = 0.7;
 
@@ -39,7 +39,7 @@ tl::unexpected<Diagnostics> cancelled() {
     return failure(export_finding::kCancelledWriting);
 }
 
-/// The z-map itself is there already; on another grid it is another.
+/// The z-map itself is already in memory, but an export with another grid spacing needs another one.
 Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, double limitBytes) {
     const Grid& grid = frame.zmap.grid();
     const double points = static_cast<double>(grid.nx) * grid.ny;
@@ -57,14 +57,14 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
     return failure(window_finding::kExportNeedsCoarserGrid, std::move(arguments));
 }
 
-/// Who has chosen the file was asked about what it held then, which may be minutes ago.
+/// The user agreed to overwrite the content of the file at that time, which may be minutes ago.
 Result<void> checkUnchanged(const QString& file, const FileState& chosen) {
     if (stateOf(toPath(file)) == chosen)
         return {};
     return failure(window_finding::kFileChangedOnDisk);
 }
 
-/// Before the work: whether the file can be written, and the disk has space for as many bytes.
+/// Checks before the work whether the file can be written and the disk has that many bytes of free space.
 Result<void> checkTarget(const QString& file, std::uint64_t bytes) {
     return AtomicFile(toPath(file), bytes).ready();
 }
@@ -145,7 +145,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const
 
 ExportJob::ExportJob(QObject* parent) : QObject(parent) {}
 
-ExportJob::~ExportJob() = default; // jthread stops and joins
+ExportJob::~ExportJob() = default; // jthread requests a stop and joins
 
 void ExportJob::start(FramePtr frame, const QString& file, const ExportOptions& options,
                       std::function<void(Result<ExportSummary>)> done) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Export of the stock in the background.
+// Exports the stock in the background.
 #pragma once
 
 #include <cstdint>
@@ -19,35 +19,36 @@
 namespace proveout {
 
 struct ExportOptions {
-    bool decimated = true;              ///< every region decimated, whatever the period; false: the full mesh
-    const FileFormat* format = nullptr; ///< null: the one of meshes that the ending of the file names
-    StockProvenance provenance = {};    ///< of a saved stock
+    bool decimated = true;              ///< every region is decimated, regardless of the period; false: the
+                                        ///< full mesh
+    const FileFormat* format = nullptr; ///< null: the mesh format of the file's extension
+    StockProvenance provenance = {};    ///< for a saved stock
 };
 
 struct ExportSummary {
     QString file;
-    std::size_t block = 0;  ///< executed when the stock was as in the file …
-    std::size_t blocks = 0; ///< … of so many
-    bool stock = false;     ///< the z-map itself was saved; there is no mesh and no error
+    std::size_t block = 0;  ///< blocks executed when the stock was as in the file …
+    std::size_t blocks = 0; ///< … and blocks in total
+    bool stock = false;     ///< the z-map itself was saved, so there is no mesh and no error
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
-    double largestErrorMm = 0;             ///< of what the file holds, measured against the z-map
+    double largestErrorMm = 0;             ///< of the file's content, measured against the z-map
     double allowanceMm = 0;                ///< of the decimation; 0: every point of the z-map was written
-    bool certified = false;                ///< the decimation keeps within the allowance …
-    ErrorLevel level = ErrorLevel::sample; ///< … there, where the error was measured
+    bool certified = false;                ///< the decimation stays within the allowance …
+    ErrorLevel level = ErrorLevel::sample; ///< … where the error was measured
     Diagnostics warnings;                  ///< about the file
 };
 
-/// Writes the stock of a frame: the surface, closed by walls and a floor, or its z-map for the next set-up.
-/// Any thread. Borders between regions are always the shared ones, because the paper's own leave cracks.
-/// Errors, which name the file: an ending of no mesh format, meshes that need more than `limitBytes` of
-/// memory, an unwritable file or no space for it, which is found before the work, nothing left of the stock,
-/// a file that another program has changed since the export was begun, cancelled.
+/// Writes the stock of a frame: the surface, closed by walls and a floor, or its z-map for the next setup.
+/// Any thread. Borders between regions are always the shared ones, because those of the paper leave cracks.
+/// Errors, which name the file: an extension that is not a mesh format, meshes that need more than
+/// `limitBytes` of memory, an unwritable file or not enough disk space (found before the work), no stock
+/// left, a file that another program has changed since the export began, cancelled.
 [[nodiscard]] Result<ExportSummary> exportFrame(const Frame& frame, const QString& file,
                                                 const ExportOptions& options, const WorkContext& context,
                                                 double limitBytes = static_cast<double>(memoryLimitBytes()));
 
-/// Runs one export at a time on its own thread; a new one cancels the one under way.
+/// Runs one export at a time on its own thread; a new one cancels the one in progress.
 class ExportJob : public QObject {
     Q_OBJECT
 

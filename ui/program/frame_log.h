@@ -10,24 +10,25 @@
 
 namespace proveout {
 
-/// What is left of a row for the blocks (first, last] of its own: the mean of a block stays.
+/// The part of a row for the blocks (first, last], which must be within the row; the mean per block stays the
+/// same.
 [[nodiscard]] FrameStatistics partOf(const FrameStatistics& row, std::uint32_t first, std::uint32_t last);
 
-/// What drawing cost: one row per frame that was drawn, ascending by lastBlock. Thread: the UI thread.
+/// The cost of drawing: one row per drawn frame, ascending by lastBlock. Thread: the UI thread.
 class FrameLog {
 public:
-    /// Forgets the rows: another simulation begins.
+    /// Clears the rows because another simulation starts.
     void clear();
-    /// Notes a drawn frame. False where this very frame was noted before: a window is painted for other
-    /// reasons too. Going back cuts the rows off behind the block when it is drawn; going on from there
-    /// writes them anew.
+    /// Records a drawn frame. False if this frame was recorded before, because a window is also repainted for
+    /// other reasons. Drawing an earlier block removes the rows after it; continuing from there writes them
+    /// again.
     bool add(const Frame& frame, double uploadSeconds, double drawSeconds);
     [[nodiscard]] const std::vector<FrameStatistics>& rows() const { return m_rows; }
 
 private:
     std::vector<FrameStatistics> m_rows;
-    std::size_t m_drawnBlock = 0;      ///< of the frame drawn last
-    std::uint64_t m_drawnSequence = 0; ///< of the frame drawn last
+    std::size_t m_drawnBlock = 0;      ///< of the last drawn frame
+    std::uint64_t m_drawnSequence = 0; ///< of the last drawn frame
 };
 
 } // namespace proveout

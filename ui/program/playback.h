@@ -5,18 +5,18 @@
 
 namespace proveout {
 
-/// What is even in playback: each block takes the same time, each millimetre of path, or what the machine
-/// takes.
+/// What playback keeps uniform: every block takes the same time, every millimetre of path does, or blocks
+/// take the machine time.
 enum class PlayBy : std::uint8_t { blocks, length, time };
 
-/// Speeds are told to people as multiples of this many blocks a second.
+/// Speeds are shown as multiples of this many blocks per second.
 inline constexpr double kUnitBlocksPerSecond = 50;
-/// The same of each way to play: blocks, millimetres, seconds of the machine a second.
+/// The unit of speed in each mode: blocks, millimetres or seconds of machine time per second.
 [[nodiscard]] constexpr double unitSpeed(PlayBy by) {
     return by == PlayBy::time ? 1 : kUnitBlocksPerSecond;
 }
 
-/// How the program is played. Value type.
+/// The state of playback. Value type.
 struct Playback {
     bool playing = false;
     PlayBy by = PlayBy::blocks;

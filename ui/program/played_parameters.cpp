@@ -45,7 +45,7 @@ void PlayedParameters::weigh(const Frame& frame, const FrameStatistics& row) {
     const std::size_t end = std::min<std::size_t>(row.lastBlock, frame.statistics.size());
     for (std::size_t block = row.firstBlock; block < end; ++block)
         cost.regionsDecimated += frame.statistics[block].regionsDecimated;
-    (void)m_holdBack->add(cost); // due() asks for the outcome
+    (void)m_holdBack->add(cost); // due() queries the result
 }
 
 } // namespace proveout

@@ -9,26 +9,27 @@
 
 namespace proveout {
 
-/// What the simulation is told of the parameters: those that the user wants or, while playback holds
-/// decimation back, method `none`. So the simulation's state stays a function of what it is told, and the
-/// clock decides nothing inside it. Thread: the UI thread.
+/// The parameters that are sent to the simulation: those that the user wants or, while playback suspends
+/// decimation, method `none`. This keeps the simulation's state a function of its input only; no timing
+/// decides anything inside it. Thread: the UI thread.
 class PlayedParameters {
 public:
-    /// The simulation was loaded with these; what was measured of another map or program is forgotten.
+    /// The simulation was loaded with these parameters; measurements of another z-map or program are
+    /// discarded.
     void loaded(const DecimationParameters& wanted);
-    /// Weighing begins anew with other parameters, on the map of `frame`; null: no frame of it is there yet.
+    /// Restarts the measurement with other parameters, on the z-map of `frame`; null: there is no frame yet.
     void restart(const DecimationParameters& wanted, const Frame* frame);
     [[nodiscard]] bool isWeighing() const { return m_holdBack.has_value(); }
-    /// The figures where playback holds back; null where it does not.
+    /// The measurements if playback suspends decimation, otherwise null.
     [[nodiscard]] const HoldBack* held(bool playing) const;
-    /// What the simulation is to be told; nothing where it was told that last.
+    /// The parameters to send to the simulation; empty if they were sent last time.
     [[nodiscard]] std::optional<DecimationParameters> due(const DecimationParameters& wanted, bool playing);
-    /// A frame was drawn in playback, at the cost of `row`. Frames made otherwise than the simulation was
-    /// told last are left out.
+    /// A frame was drawn during playback, at the cost in `row`. Frames that were computed with other
+    /// parameters than those last sent are ignored.
     void weigh(const Frame& frame, const FrameStatistics& row);
 
 private:
-    std::optional<HoldBack> m_holdBack; ///< for the present map and parameters
+    std::optional<HoldBack> m_holdBack; ///< for the current z-map and parameters
     DecimationParameters m_reported;
 };
 

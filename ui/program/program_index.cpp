@@ -14,7 +14,7 @@ namespace proveout {
 namespace {
 
 constexpr double kFloorBelowCut = 5;
-constexpr double kSideWithoutTool = 5; ///< margin while no cutter is known
+constexpr double kSideWithoutTool = 5; ///< mm; margin while no cutter is known
 constexpr double kSmallestSide = 5;
 
 bool isToolChange(const Event& event) {
@@ -30,7 +30,7 @@ double largestRadius(const std::vector<int>& numbers, const ToolChoice& choice, 
     return radius;
 }
 
-/// The Z of the work offset in force, for motions asked about in their order.
+/// The Z of the active work offset, for motions that are queried in ascending sequence.
 class WorkZero {
 public:
     explicit WorkZero(const Program& program) : m_events(&program.events()) {}
@@ -48,7 +48,7 @@ private:
     double m_z = 0;
 };
 
-/// `cuts`: what is cut, by the Z of the work offset.
+/// `cuts`: the boxes of the cuts, by the Z of the work offset.
 double topOf(const std::map<double, Box3>& cuts) {
     std::optional<double> highest;
     for (const auto& [zero, box] : cuts) {
@@ -106,7 +106,7 @@ CuttingExtent cuttingExtent(const Program& program) {
     Box3 box;
     WorkZero zero(program);
     std::map<double, Box3> cuts;
-    int newest = -1; // a tool cuts many motions in a row
+    int newest = -1; // avoids a lookup per motion, because a tool cuts many motions in a row
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
         const Motion motion = program.motion(i);
         if (motion.kind == MotionKind::rapid)

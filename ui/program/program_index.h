@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions that several panels ask about a program.
+// Queries about a program that several panels need.
 #pragma once
 
 #include <cstddef>
@@ -18,34 +18,35 @@ struct ToolChangeMark {
     int tool = 0;
 };
 
-/// The tool changes of a program, ascending by block; of more than kMostMarks one in each of so many equal
-/// stretches of the program.
+/// The tool changes of a program, ascending by block. If there are more than kMostMarks, the program is
+/// divided into that many equal parts and one change of each part is returned.
 inline constexpr std::size_t kMostMarks = 4096;
 [[nodiscard]] std::vector<ToolChangeMark> toolChangeMarks(const Program& program);
 
-/// The block of the nearest tool change before (`direction` < 0) or behind (> 0) `block`; none where there is
-/// no such.
+/// The block of the nearest tool change before (`direction` < 0) or after (> 0) `block`; empty if there is
+/// none.
 [[nodiscard]] std::optional<std::size_t> neighbouringToolChange(const Program& program, std::size_t block,
                                                                 int direction);
 
-/// The index of the block that holds motion `motion`; blockCount() for one behind the last.
+/// The index of the block that contains motion `motion`; blockCount() for a motion after the last one.
 [[nodiscard]] std::size_t blockOfMotion(const Program& program, std::size_t motion);
 
-/// What all motions that cut by intention (feeds and arcs, no rapids) reach together. Value type.
+/// The extent of all cutting motions (feeds and arcs, no rapids). Value type.
 struct CuttingExtent {
-    /// The numbers that they name, ascending, each once; 0: T0, or none (ToolChoice::tool()).
+    /// The tool numbers of these motions, ascending, without duplicates; 0: T0 or no tool
+    /// (ToolChoice::tool()).
     std::vector<int> tools;
-    Box3 box; ///< of the motions that are wholly known; mm
-    /// Where the stock has its top, program coordinates, mm: at the Z0 of the work offset where something is
-    /// cut below it, else at the highest of the motions, rounded up. Of several work offsets, the highest.
+    Box3 box; ///< of the motions that are completely known; mm
+    /// Height of the stock's top, program coordinates, mm: Z0 of the work offset if something is cut below
+    /// it, otherwise the highest motion, rounded up. With several work offsets, the highest result.
     double top = 0;
 };
 
-/// Goes through all motions: not for the UI thread.
+/// Visits all motions, so do not call it on the UI thread.
 [[nodiscard]] CuttingExtent cuttingExtent(const Program& program);
 
-/// The stock that holds the cutting motions of a program: the cutter's radius wider than they are, 5 mm
-/// deeper than the deepest of them. Rounded outwards to whole mm. `present` where nothing is cut.
+/// The stock that contains the cutting motions of a program, wider by the cutter's radius and 5 mm deeper
+/// than the deepest of them. Rounded outwards to whole mm. `present` if nothing is cut.
 [[nodiscard]] StockBox fittedStock(const CuttingExtent& cutting, const Setup& present,
                                    const ToolChoice& choice);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interpretation in the background.
+// Interprets programs in the background.
 #pragma once
 
 #include <functional>
@@ -20,15 +20,15 @@
 
 namespace proveout {
 
-/// The tools of a setup, to which the comments of the program add. Value type.
+/// The tools of a setup, to which the comments of the program add tools. Value type.
 struct KnownTools {
     ToolTable tools;
-    ToolProposals proposed;      ///< that were found before
-    bool startToolKnown = false; ///< else one may be assumed to be in the spindle
+    ToolProposals proposed;      ///< found in the comments before
+    bool startToolKnown = false; ///< false: a tool may be assumed to be in the spindle
 };
 
-/// Interprets texts on its own thread, each from where it differs from the one before; the newest request
-/// wins: it stops the one under way, whose result is dropped. Thread: the UI thread, which also gets the
+/// Interprets texts on its own thread, each from the point where it differs from the previous one. A new
+/// request stops the one in progress, whose result is dropped. Thread: the UI thread, which also receives the
 /// signals.
 class ProgramSource : public QObject {
     Q_OBJECT
@@ -36,26 +36,27 @@ class ProgramSource : public QObject {
 public:
     using Interpret = std::function<std::shared_ptr<const Program>(
         const NcText&, const InterpretOptions&, const WorkContext&, const ResumableInterpreter::Publish&)>;
-    /// `interpret` is called on the thread; what it throws is told by `failed`. None: a ResumableInterpreter.
+    /// `interpret` is called on the thread; exceptions are reported by `failed`. Null: a
+    /// ResumableInterpreter.
     explicit ProgramSource(QObject* parent = nullptr, Interpret interpret = {});
 
-    /// `beginning`: the beginning of a long program is wanted before the rest was read.
-    /// `known`: its comments are read for tools first (proposed()), and the control knows those too.
+    /// `beginning`: report the beginning of a long program before the rest is read.
+    /// `known`: read the comments for tools first (proposed()); the control then knows these tools too.
     void request(NcText text, InterpretOptions options, bool beginning = false,
                  std::optional<KnownTools> known = {});
-    /// Forgets what is under way.
+    /// Discards the request in progress.
     void cancel() { m_task.cancel(); }
-    /// What is under way is ready as far as it is.
+    /// Ends the request in progress; ready() reports the part that was read.
     void stop() { m_task.stop(); }
 
 signals:
-    /// What the comments of the text describe; comes before begun() and ready().
+    /// The tools that comments of the text describe; emitted before begun() and ready().
     void proposed(const ToolProposals& proposals);
-    /// The beginning of a program that is still being read, and what it cuts.
+    /// The beginning of a program that is still being read, and its cutting extent.
     void begun(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting);
-    /// How far a long text is read, in [0, 1).
+    /// Progress of reading a long text, in [0, 1).
     void progressed(double done);
-    /// `cutting`: empty where one line is watched.
+    /// `cutting` is empty if the request watches a single line.
     void ready(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting);
     void failed(const Diagnostics& errors);
 
@@ -73,14 +74,14 @@ private:
     };
     [[nodiscard]] Result<Interpreted> carryOut(const Request& request, const Reply& reply);
     [[nodiscard]] std::shared_ptr<const Program> interpret(const Request& request, const Reply& reply);
-    /// Those of the request with what the comments add.
+    /// The tools of the request and those that the comments add.
     [[nodiscard]] ToolTable toolsOf(const Request& request, const Reply& reply);
 
-    // Used on the thread of the task only. The second one is for the assumed tool, so that each of them finds
-    // what it read before.
+    // Used only on the task's thread. The second one is for programs with an assumed tool, so that each can
+    // reuse what it read before.
     Interpret m_interpret;
     Interpret m_interpretAssuming;
-    NewestTask m_task; ///< last: its thread ends before what it uses
+    NewestTask m_task; ///< last member: its thread must end before what it uses is destroyed
 };
 
 } // namespace proveout

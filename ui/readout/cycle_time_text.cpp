@@ -13,8 +13,8 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kMostTools = 12;  // a tip is no table
-constexpr double kLongest = 3600 * 1e6; // s; a century is told as such, whatever a dwell asks for
+constexpr std::size_t kMostTools = 12;  // a tooltip must stay short
+constexpr double kLongest = 3600 * 1e6; // s; times over a century are shown as this, however long a dwell is
 
 QString text(const char* source) {
     return QCoreApplication::translate("CycleTime", source);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The machine's time in words.
+// The machine time as text.
 #pragma once
 
 #include <QString>
@@ -9,9 +9,9 @@
 
 namespace proveout {
 
-/// "1:02:03"; "> 999999:59:59" beyond a million hours.
+/// "1:02:03"; "> 999999:59:59" above a million hours.
 [[nodiscard]] QString clockText(double seconds);
-/// Where the time goes, by parts and tools, and what was assumed for it. Several lines.
+/// The machine time by kind of motion and by tool, and the assumptions behind it. Several lines.
 [[nodiscard]] QString timeTip(const MachineTimes& times, bool assumed, const ToolChoice& choice,
                               const ToolTable& tools);
 

@@ -15,7 +15,7 @@ QString translated(const char* text) {
     return QCoreApplication::translate("Export", text);
 }
 
-/// A long name keeps its ends: what follows it is what the user waits for.
+/// Shortens a long name in the middle, so that the text after it stays visible.
 QString shortName(const QString& file) {
     constexpr int kLongest = 24;
     QString name = QFileInfo(file).fileName();
@@ -24,7 +24,7 @@ QString shortName(const QString& file) {
     return name.first(kLongest / 2) + QChar(0x2026) + name.last(kLongest / 2 - 1);
 }
 
-/// Up to which block the program had run; nothing at its end.
+/// The block up to which the program had run; empty at its end.
 QString momentOf(const ExportSummary& summary, const QLocale& locale) {
     if (summary.block >= summary.blocks)
         return {};
@@ -33,7 +33,7 @@ QString momentOf(const ExportSummary& summary, const QLocale& locale) {
                            locale.toString(static_cast<qulonglong>(summary.blocks)));
 }
 
-/// The error of the file, and whether the allowance bounds it.
+/// The error of the file, and whether it is guaranteed to be within the allowance.
 QString errorText(const ExportSummary& summary, const QLocale& locale) {
     const QString error = locale.toString(summary.largestErrorMm, 'f', kErrorDecimals);
     const QString allowance = locale.toString(summary.allowanceMm);

@@ -8,10 +8,10 @@
 
 namespace proveout {
 
-/// The error of the file that was written, and what that figure is worth: certified, or only measured. One
-/// line, whatever the name of the file.
+/// The error of the written file, and whether it is certified or only measured. One line, however long the
+/// file name is.
 [[nodiscard]] QString exportText(const ExportSummary& summary, const QLocale& locale);
-/// Where the file lies, and how large it is.
+/// The path and the size of the file.
 [[nodiscard]] QString exportDetails(const ExportSummary& summary, const QLocale& locale);
 
 } // namespace proveout

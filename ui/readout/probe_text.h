@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is told of the place under the pointer, in words.
+// The readout of the position under the pointer, as text.
 #pragma once
 
 #include <QLocale>
@@ -9,11 +9,11 @@
 
 namespace proveout {
 
-/// "T3", "T3 (assumed)": of a cut.
+/// "T3" or "T3 (assumed)" for a cut.
 [[nodiscard]] QString toolText(const PlaceAnswer& answer);
-/// "X 12.345 Y 3.200 Z -1.500 mm (G54)"; empty where there is no place.
+/// "X 12.345 Y 3.200 Z -1.500 mm (G54)"; empty if there is no position.
 [[nodiscard]] QString positionText(const SurfaceProbe& probe, const QLocale& locale);
-/// "Line 120, T3"; empty where that is not known.
+/// "Line 120, T3"; empty if unknown.
 [[nodiscard]] QString cutText(const SurfaceProbe& probe);
 
 } // namespace proveout

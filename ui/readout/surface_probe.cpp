@@ -10,7 +10,8 @@ float heightOf(const SurfacePlace& place) {
     return place.picked.moment->zmap.height(place.picked.point->i, place.picked.point->j);
 }
 
-/// Whether the block that made one has made the other: the first one that reached the height of a point did.
+/// Whether both positions were cut by the same block, namely the first one that reached the height of the
+/// point.
 bool isSameCut(const SurfacePlace& a, const SurfacePlace& b) {
     const Frame& now = *a.picked.moment;
     const Frame& then = *b.picked.moment;
@@ -34,7 +35,7 @@ SurfaceProbe::SurfaceProbe(QObject* parent, BlockSearch::Find find)
 bool SurfaceProbe::isAnswered(const SurfacePlace& place) const {
     if (!m_asked || !isSameCut(place, *m_asked))
         return false;
-    // Before that block somebody else may have cut as deep.
+    // Before that block, another one may have cut to the same depth.
     return !m_answer || m_answer->kind != PlaceAnswer::Kind::cut ||
            m_answer->block <= place.picked.moment->block;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The place of the surface under the pointer, and the block that made it.
+// The surface position under the pointer, and the block that cut it.
 #pragma once
 
 #include <optional>
@@ -13,36 +13,36 @@
 
 namespace proveout {
 
-/// A place of the surface. Value type.
+/// A position on the surface. Value type.
 struct SurfacePlace {
     PickedPlace picked; ///< its moment is not null
     Vec3 at{0};         ///< in the coordinates of the program's motions
 };
 
-/// What is shown of the pointer wherever it is shown. Its block is looked for in the background, once the
-/// pointer rests for a moment on the same point of the grid; another point, or another height of it, makes
-/// the search void. Thread: UI.
+/// The readout at the pointer. The block that made the surface there is searched in the background once the
+/// pointer has rested for a moment on the same grid point; moving to another point, or a change of its
+/// height, discards the search. Thread: UI.
 class SurfaceProbe : public QObject {
     Q_OBJECT
 
 public:
-    /// `find` as of BlockSearch.
+    /// `find`: see BlockSearch.
     explicit SurfaceProbe(QObject* parent = nullptr, BlockSearch::Find find = {});
 
     static constexpr int kRestMilliseconds = 100;
 
-    /// The pointer is at that place now, or at none. `present`: its program is the one that the user reads.
+    /// The pointer is at this position now, or not on the surface. `present`: its program is the current one.
     void point(const std::optional<SurfacePlace>& place, bool present = true);
 
     [[nodiscard]] const std::optional<SurfacePlace>& place() const { return m_place; }
-    /// Of the place: in the work offset that is in force.
+    /// The position relative to the active work offset.
     [[nodiscard]] Vec3 workPosition() const { return m_place->at - m_offset.zero; }
     [[nodiscard]] const ActiveOffset& offset() const { return m_offset; }
-    /// Nothing while it is looked for, or where the program is another one.
+    /// Empty while the search is running, or if the program is not the current one.
     [[nodiscard]] const std::optional<PlaceAnswer>& answer() const { return m_answer; }
 
 signals:
-    /// Another place, or none.
+    /// The position has changed, or there is none now.
     void moved();
     void answered();
 
@@ -52,7 +52,7 @@ private:
     void ask();
 
     std::optional<SurfacePlace> m_place;
-    std::optional<SurfacePlace> m_asked; ///< what m_answer, or the search under way, is about
+    std::optional<SurfacePlace> m_asked; ///< the position that m_answer or the current search belongs to
     std::optional<PlaceAnswer> m_answer;
     ActiveOffset m_offset;
     FramePtr m_offsetOf;

@@ -22,8 +22,8 @@ QString text(const char* source) {
     return QCoreApplication::translate("Tools", source);
 }
 
-/// The number under which a missing tool is found. A program that calls none runs with the only tool there
-/// is.
+/// The number to define for a missing tool. A program without tool changes runs with the only tool of the
+/// table, so T1 is defined for it.
 int numberToDefine(const Session& session, int missing) {
     const auto& tools = session.job().setup().tools.tools();
     return missing == 0 && tools.empty() && toolChangeMarks(*session.program().current()).empty() ? 1
@@ -51,7 +51,7 @@ void assumeMissingTools(Session& session) {
         Setup setup = session.job().setup();
         for (const int number : missingTools(session))
             setup.tools.set(number, cutter.value(), {ToolSource::assumed});
-        static_cast<void>(session.job().setSetup(setup)); // other tools need no other memory
+        static_cast<void>(session.job().setSetup(setup)); // tools need no memory check
     });
 }
 

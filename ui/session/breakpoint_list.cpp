@@ -50,7 +50,7 @@ void BreakpointList::move(std::uint32_t line, bool fromItsStart, std::ptrdiff_t 
         const auto at = static_cast<std::ptrdiff_t>(breakpoint.line);
         if (breakpoint.kind == BreakpointKind::line && at >= from) {
             if (at < goneBefore)
-                continue; // its line is gone
+                continue; // its line was deleted
             breakpoint.line = static_cast<std::uint32_t>(at + added);
         }
         moved.push_back(std::move(breakpoint));

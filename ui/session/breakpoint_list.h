@@ -18,18 +18,18 @@ class BreakpointList final : public QObject {
     Q_OBJECT
 
 public:
-    /// `simulation` outlives it.
+    /// `simulation` must outlive this object.
     explicit BreakpointList(SimulationHub& simulation) : m_simulation(simulation) {}
 
     [[nodiscard]] const std::vector<Breakpoint>& all() const { return m_breakpoints; }
     void set(std::vector<Breakpoint> breakpoints);
-    /// Where there is the same already, it is switched on.
+    /// If an equal breakpoint exists, it is enabled instead.
     void add(const Breakpoint& added);
-    /// Sets one at a line, or removes it.
+    /// Adds a breakpoint at a line, or removes the existing one.
     void toggle(std::uint32_t line);
-    /// An edit has added (or removed) lines after a place in `line`: breakpoints after it move along.
+    /// An edit has added (or removed) lines after a position in `line`: breakpoints after it move along.
     void move(std::uint32_t line, bool fromItsStart, std::ptrdiff_t added);
-    /// Posts them again: a load forgets them.
+    /// Sends the breakpoints to the simulation again, because loading clears them.
     void post();
 
 signals:

@@ -23,7 +23,7 @@ DocumentHub::DocumentHub(ProblemsHub& problems, WorkHub& work) : m_problems(prob
     connect(&m_jobWatch, &FileWatch::changed, this, &DocumentHub::watchedJobChanged);
 }
 
-// Opening.
+// Opening
 
 void DocumentHub::openFile(const QString& file) {
     m_reader.open(file, [this, file](Result<JobDocument> job) {
@@ -35,16 +35,16 @@ void DocumentHub::openFile(const QString& file) {
     });
 }
 
-/// Whoever allows the files is asked to open the job again.
+/// The receiver of the signal opens the job again if the user allows the files.
 void DocumentHub::refuseOpening(const QString& file, const Diagnostics& errors) {
     m_problems.report(errors);
     std::vector<std::filesystem::path> outside;
-    bool otherwise = false; // it cannot be opened anyway
+    bool otherwise = false; // whether there are other errors, so that it cannot be opened in any case
     for (const Diagnostic& error : errors) {
         if (hasIdOf(error, job_finding::kJobOutside))
             outside.emplace_back(error.arguments.at(1).text());
         else
-            otherwise = otherwise || error.severity == Severity::error; // warnings of the job follow
+            otherwise = otherwise || error.severity == Severity::error; // job warnings are included
     }
     if (!otherwise)
         emit outsideFilesNamed(file, outside);
@@ -82,7 +82,7 @@ void DocumentHub::stopOpening() {
     m_problems.report(failure(window_finding::kOpeningStopped).value());
 }
 
-// The text.
+// Text
 
 void DocumentHub::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {
     stopOpening();
@@ -95,7 +95,7 @@ void DocumentHub::setTextModified(bool modified) {
         emit changed();
 }
 
-// Saving.
+// Saving
 
 bool DocumentHub::save() {
     if (text().path.empty())
@@ -136,12 +136,12 @@ void DocumentHub::detachJob() {
 
 bool DocumentHub::saved(const Result<void>& written, bool textToo, bool jobToo) {
     if (textToo) {
-        m_watch.watch(toQString(text().path)); // from what we have written on
+        m_watch.watch(toQString(text().path)); // watches from the state that was just written
         emit fileWritten();
     }
     if (jobToo) {
         m_jobWatch.watch(jobFile());
-        allowOutside(jobFile(), outsideFiles(toPath(jobFile()), m_job.job())); // who has saved it trusts it
+        allowOutside(jobFile(), outsideFiles(toPath(jobFile()), m_job.job())); // saving it implies trust
         emit jobChangedOnDisk(false);
     }
     emit changed();
@@ -153,7 +153,7 @@ bool DocumentHub::reported(const Result<void>& result) {
     return result.has_value();
 }
 
-// The files on the disk.
+// Files on disk
 
 void DocumentHub::watchFiles() {
     m_watch.watch(toQString(text().path), text().onDisk);
@@ -168,7 +168,7 @@ void DocumentHub::reload() {
 void DocumentHub::textRead(const Result<Document>& read) {
     if (!read)
         m_job.keepMine();
-    else if (read->path == text().path) { // else it was saved elsewhere in the meantime
+    else if (read->path == text().path) { // otherwise the document was saved elsewhere in the meantime
         m_job.replaceText(*read);
         m_watch.watch(toQString(text().path), text().onDisk);
         emit textReplaced();
@@ -185,7 +185,7 @@ void DocumentHub::keepMine() {
     emit changed();
 }
 
-/// A file that was written again with the same content is no news.
+/// A file that was written again with the same content is not reported.
 void DocumentHub::watchedFileChanged() {
     const bool quick = text().text.size() <= kEditableBytes;
     const Result<DiskState> state =
@@ -195,7 +195,7 @@ void DocumentHub::watchedFileChanged() {
         return;
     }
     if (!QFileInfo::exists(toQString(text().path)))
-        keepMine(); // the window holds the last copy
+        keepMine(); // the window has the only copy
     emit fileChangedOnDisk();
 }
 
@@ -212,7 +212,7 @@ void DocumentHub::jobRead(const QString& file, Result<JobDocument> read) {
         const DecimationParameters before = m_job.parameters();
         m_job.replaceJob(*read);
         if (!sameProgram)
-            m_job.keepMyJob(); // it must name the program of the window
+            m_job.keepMyJob(); // the job must name the program in the window
         m_jobWatch.watch(file, m_job.jobState());
         emit jobChangedOnDisk(false);
         emit jobReread(before);
@@ -232,7 +232,7 @@ void DocumentHub::keepMyJob() {
 void DocumentHub::watchedJobChanged() {
     const Result<DiskState> state = m_job.jobOnDisk().compare(toPath(jobFile()));
     if (state && *state == DiskState::missing)
-        m_job.keepMyJob(); // the window holds the last copy
+        m_job.keepMyJob(); // the window has the only copy
     emit jobChangedOnDisk(!state || *state != DiskState::same);
     emit changed();
 }

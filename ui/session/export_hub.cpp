@@ -34,7 +34,8 @@ void ExportHub::exportMesh(const QString& file, const ExportOptions& options) {
     m_hubs.problems.set(ProblemSource::files, {});
     m_running = true;
     m_hubs.work.set(WorkKind::exporting, 0);
-    // Playback may show all triangles; the file has what the user wants.
+    // The parameters of the frame may be those of playback, which can suspend decimation; the file uses those
+    // that the user wants.
     auto moment = std::make_shared<Frame>(*m_hubs.simulation.frame());
     moment->parameters = m_hubs.document.job().parameters();
     m_export.start(std::move(moment), file, options,

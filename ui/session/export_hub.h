@@ -21,7 +21,7 @@ class ExportHub final : public QObject {
     Q_OBJECT
 
 public:
-    /// The hubs that are asked; all outlive it.
+    /// The hubs that are queried; all must outlive this object.
     struct Hubs {
         const DocumentHub& document;
         const ProgramHub& program;
@@ -31,12 +31,12 @@ public:
     };
     explicit ExportHub(const Hubs& hubs);
 
-    /// The work hub says how far it is.
+    /// The work hub reports the progress.
     void exportMesh(const QString& file, const ExportOptions& options);
     /// Saves the stock for the next setup.
     void saveStock(const QString& file);
     [[nodiscard]] bool isRunning() const { return m_running; }
-    /// What the last export wrote; empty before the first one.
+    /// The result of the last export; empty before the first one.
     [[nodiscard]] const std::optional<ExportSummary>& last() const { return m_last; }
 
 signals:

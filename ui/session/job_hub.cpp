@@ -18,7 +18,7 @@ JobHub::JobHub(DocumentHub& document, ProgramHub& program, PlaybackHub& playback
     : m_document(document), m_program(program), m_playback(playback),
       m_history([this](const JobValues& from, const JobValues& to) { change(from, to); }) {}
 
-// The user's changes.
+// Changes by the user
 
 Result<void> JobHub::setSetup(const Setup& wanted) {
     const JobValues before = m_document.job().values();
@@ -60,7 +60,7 @@ void JobHub::setMachine(const Machine& machine) {
     m_history.record(before, m_document.job().values());
 }
 
-/// Whether its z-map can be made.
+/// Whether the z-map for the setup can be created.
 Result<void> JobHub::checkMap(const Setup& setup) const {
     const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
     if (!grid)
@@ -68,7 +68,7 @@ Result<void> JobHub::checkMap(const Setup& setup) const {
     return checkMapMemory(setup.stock, *grid, parameters(), {}, static_cast<double>(memoryLimitBytes()));
 }
 
-/// The setup is another than `before`.
+/// Applies a setup that has changed from `before`.
 void JobHub::runOn(const Setup& before) {
     const auto& program = m_program.current();
     if (m_document.job().wantsStock() || !program || !interpretedAlike(*program, setup(), before))
@@ -77,14 +77,14 @@ void JobHub::runOn(const Setup& before) {
         m_playback.load();
 }
 
-/// The region size may have followed the map.
+/// The region size may have changed with the z-map.
 void JobHub::reportSetup(const DecimationParameters& before) {
     emit setupChanged();
     if (!(before == parameters()))
         emit parametersChanged();
 }
 
-// Steps.
+// Steps
 
 void JobHub::asOneStep(const std::function<void()>& command) {
     emit inputWanted();
@@ -99,11 +99,11 @@ void JobHub::undoStep() {
 }
 
 void JobHub::redoStep() {
-    emit inputWanted(); // which leaves nothing to redo where it is a step itself
+    emit inputWanted(); // if this records a step, there is nothing left to redo
     m_history.redo();
 }
 
-/// A step is undone or redone. What we have found out by ourselves since it was made counts on.
+/// Undoes or redoes a step. Values that were computed automatically since that step are kept.
 void JobHub::change(const JobValues& from, const JobValues& to) {
     const JobValues before = m_document.job().values();
     m_document.stopOpening();
@@ -124,7 +124,7 @@ void JobHub::change(const JobValues& from, const JobValues& to) {
     emit m_document.changed();
 }
 
-// What we find out by ourselves: nothing that the user would miss.
+// Values that are computed automatically and do not count as unsaved changes
 
 Setup JobHub::withGrid(Setup setup) const {
     if (const auto& program = m_program.current())
@@ -132,7 +132,7 @@ Setup JobHub::withGrid(Setup setup) const {
     return setup;
 }
 
-/// Tools of comments as the comments are now, and the automatic grid for them.
+/// Updates the tools that come from comments, and then the automatic grid.
 void JobHub::fitUndone() {
     Setup fitted = setup();
     addProposals(fitted.tools, m_program.proposals(), m_program.proposals());
@@ -173,14 +173,14 @@ void JobHub::fitStock(bool forNow) {
     fitted.stock = stockFittedToProgram();
     fitted = withGrid(std::move(fitted));
     const DecimationParameters before = parameters();
-    // The same again is no reason to simulate again.
+    // An equal setup keeps its pointer, so that nothing is simulated again.
     const bool same = fitted == setup();
     m_document.editJob().fitSetup(
         same ? m_document.job().setup() : std::make_shared<const Setup>(std::move(fitted)), forNow);
     reportSetup(before);
 }
 
-/// The program may use other cutters than before.
+/// The program may now use other cutters.
 void JobHub::fitGrid() {
     Setup fitted = withGrid(setup());
     if (fitted == setup())

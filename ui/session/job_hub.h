@@ -24,53 +24,53 @@ class JobHub final : public QObject {
     Q_OBJECT
 
 public:
-    /// All outlive it.
+    /// All must outlive this object.
     JobHub(DocumentHub& document, ProgramHub& program, PlaybackHub& playback);
 
     [[nodiscard]] const Setup& setup() const { return *m_document.job().setup(); }
     [[nodiscard]] const DecimationParameters& parameters() const { return m_document.job().parameters(); }
-    /// As described by the job or the user; nothing: the values of Machine() are assumed.
+    /// As defined by the job or the user; empty: the values of Machine() are assumed.
     [[nodiscard]] const std::optional<Machine>& machine() const { return m_document.job().machine(); }
 
-    /// Errors (stock, grid, memory) are those of the result, and change nothing. The spacing of an automatic
-    /// grid is found here, whatever `wanted` has.
+    /// Returns errors (stock, grid, memory) and then changes nothing. The spacing of an automatic grid is
+    /// computed here, whatever `wanted` contains.
     Result<void> setSetup(const Setup& wanted);
     void setParameters(const DecimationParameters& parameters);
     void setMachine(const Machine& machine);
-    /// The stock that holds the program's cutting motions (fittedStock()); the present one where there is no
-    /// motion.
+    /// The stock that contains the program's cutting motions (fittedStock()); the current one if there are no
+    /// motions.
     [[nodiscard]] StockBox stockFittedToProgram() const;
 
     /// The user's steps in setup, parameters and machine since the document was opened.
     [[nodiscard]] JobHistory& history() { return m_history; }
-    /// Carries out a command that changes setup, parameters or machine: a step of its own in the history,
-    /// after what panels have not passed on yet.
+    /// Runs a command that changes setup, parameters or machine as one step of the history, after pending
+    /// input of the panels was applied.
     void asOneStep(const std::function<void()>& command);
-    /// With what panels have not passed on yet.
+    /// Pending input of the panels is applied first.
     void undoStep();
     void redoStep();
-    /// Panels that wait for a rest in typing pass on what they have now (inputWanted()), e.g. to be saved.
+    /// Makes panels apply input that they delay while the user is typing (inputWanted()), e.g. before saving.
     void collectChanges() { emit inputWanted(); }
 
-    /// Replaces the setup by one that was read again from its files: no step of the user. Errors as
-    /// setSetup().
+    /// Replaces the setup by one that was read from its files again; this is not an undo step. Errors: those
+    /// of setSetup().
     Result<void> adoptSetup(const Setup& read);
-    /// The tools that comments describe are others.
+    /// The tools described in comments have changed.
     void adoptProposals(const ToolProposals& before);
-    /// The automatic stock for the program; `forNow`: its rest is still being read.
+    /// Fits the automatic stock to the program; `forNow`: the rest of the program is still being read.
     void fitStock(bool forNow);
-    /// The automatic grid for the cutters of the program.
+    /// Computes the automatic grid for the cutters of the program.
     void fitGrid();
-    /// Reports that setup and, where they are others than `before`, parameters have changed.
+    /// Reports that setup and, if they differ from `before`, parameters have changed.
     void reportSetup(const DecimationParameters& before);
 
 signals:
-    /// Setup, parameters and machine are those of another file: what panels have not passed on is void.
+    /// Setup, parameters and machine come from another file: pending input of the panels is void.
     void replaced();
     void setupChanged();
     void parametersChanged();
     void machineChanged();
-    /// Input that a panel keeps while the user is still typing is wanted now.
+    /// Panels must apply the input that they delay while the user is typing.
     void inputWanted();
 
 private:

@@ -37,7 +37,7 @@ void NavigationHub::goToBlockThatMade(const PickedPlace& place) {
     }
 }
 
-/// A pending edit has moved the lines already.
+/// False after a pending edit, because it has moved the lines already.
 bool NavigationHub::isPresent(const Frame& moment) const {
     return m_hubs.program.isUpToDate() && moment.program == m_hubs.program.current() &&
            m_hubs.simulation.runsOn(moment.setup);

@@ -17,13 +17,13 @@ class ProgramHub;
 class SimulationHub;
 class WorkHub;
 
-/// From a place of the stock to its block and back, and requests to show a line or a tool. Thread: the UI
-/// thread.
+/// Navigation from a position on the stock to its block and back, and requests to show a line or a tool.
+/// Thread: the UI thread.
 class NavigationHub final : public QObject {
     Q_OBJECT
 
 public:
-    /// The hubs that answer; all outlive it.
+    /// The hubs that are queried; all must outlive this object.
     struct Hubs {
         const ProgramHub& program;
         const SimulationHub& simulation;
@@ -33,22 +33,22 @@ public:
     };
     explicit NavigationHub(const Hubs& hubs);
 
-    /// Looks in the background for the block that made a place, and goes there (placeFound()): its line is
-    /// asked to be seen, and it is the last block that is cut. Pauses. Whatever else moves the play head, or
-    /// changes the program or its setup, makes the question void.
+    /// Searches in the background for the block that cut a position, and goes there (placeFound()): its line
+    /// is shown, and it becomes the last block that is cut. Pauses playback. If the current block, the
+    /// program or its setup changes meanwhile, the search is discarded.
     void goToBlockThatMade(const PickedPlace& place);
-    /// To where the play head was before it went there the last time.
+    /// Returns to the block from which the last such jump started.
     void returnFromJump();
     [[nodiscard]] bool canReturn() const { return !m_leftBlocks.empty(); }
-    /// The blocks that were left are those of another program.
+    /// Call it when the stored blocks belong to another program.
     void forgetJumps();
 
 signals:
-    /// Someone asks to see a source line (1-based): the editor goes there.
+    /// Requests that the editor goes to a source line (1-based).
     void lineRequested(std::uint32_t line, int column);
-    /// Someone asks to see a tool of the table, or to define the one with this number.
+    /// Requests that a tool of the table is shown, or that the tool with this number is defined.
     void toolRequested(int number);
-    /// The answer to goToBlockThatMade().
+    /// The result of goToBlockThatMade().
     void placeFound(const PlaceAnswer& answer);
 
 private:
@@ -57,7 +57,7 @@ private:
 
     Hubs m_hubs;
     BlockSearch m_search;
-    std::vector<std::size_t> m_leftBlocks; ///< where goToBlockThatMade() has led away from
+    std::vector<std::size_t> m_leftBlocks; ///< the blocks from which goToBlockThatMade() jumped
 };
 
 } // namespace proveout

@@ -10,7 +10,8 @@
 
 namespace proveout {
 
-/// The commands of the Simulate menu. The main window adds them to the widgets in which their keys act.
+/// The commands of the Simulate menu. The main window adds them to the widgets in which their keys are
+/// active.
 class PlaybackCommands final : public QObject {
     Q_OBJECT
 
@@ -26,10 +27,10 @@ private:
     CommandActions<Session> m_actions;
 };
 
-/// The speeds that people choose from, in blocks a second, rising; the last one is infinity.
+/// The available speeds in blocks per second, ascending; the last one is infinity.
 inline constexpr int kSpeedCount = 15;
 [[nodiscard]] const std::array<double, kSpeedCount>& speeds();
-/// The speed before (-1) or after (+1) the one nearest to `blocksPerSecond`.
+/// The next lower (-1) or higher (+1) speed from the one nearest to `blocksPerSecond`.
 [[nodiscard]] double neighbourSpeed(double blocksPerSecond, int direction);
 
 } // namespace proveout

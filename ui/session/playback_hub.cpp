@@ -42,11 +42,11 @@ void PlaybackHub::connectTick() {
     connect(&m_tick, &RepaintTick::fired, this, &PlaybackHub::onTick);
 }
 
-// What is simulated.
+// Simulation
 
 void PlaybackHub::simulate(bool more) {
     if (m_program.isForeign()) {
-        // Nothing of the text is understood: an uncut stock would look like its result.
+        // The text is not an NC program; an uncut stock would look like its result.
         m_frameLog.clear();
         m_simulation.unload();
         requestTick();
@@ -56,7 +56,7 @@ void PlaybackHub::simulate(bool more) {
     else if (!more)
         continueWithEdit();
     else {
-        // The program is longer than it was: the play head stays where it is sought.
+        // The program was extended: the target block stays the same.
         m_simulation.edit();
         if (m_state.playing)
             postPlay();
@@ -64,7 +64,8 @@ void PlaybackHub::simulate(bool more) {
 }
 
 void PlaybackHub::continueWithEdit() {
-    // Who looks at the end wants to see the new end; else the block on the screen stays, cut again.
+    // At the end of the program the view follows to the new end; otherwise the current block stays and is cut
+    // again.
     const bool atEnd = m_simulation.target() == m_simulation.frame()->program->blockCount();
     const std::size_t block = atEnd ? m_program.blockCount() : m_simulation.target();
     m_simulation.edit();
@@ -103,15 +104,15 @@ void PlaybackHub::setCheckpointBudget(std::size_t bytes) {
     m_simulation.post(BudgetCommand{bytes});
 }
 
-// Playing.
+// Playback
 
 void PlaybackHub::play() {
     if (!m_program.current() || m_program.isForeign() || m_state.playing)
         return;
     if (!m_simulation.isLoaded())
-        load(); // it failed; where it does so again the reason is reported again
+        load(); // the last load failed; if it fails again, the reason is reported again
     emit headSent();
-    m_simulation.takeFrame(); // an older frame must not look like the end of what starts now
+    m_simulation.takeFrame(); // an older frame must not be mistaken for the end of this run
     if (m_simulation.target() == m_program.blockCount())
         m_simulation.seek(0);
     m_state.playing = true;
@@ -177,7 +178,7 @@ void PlaybackHub::setPlayBy(PlayBy by) {
     emit changed();
 }
 
-/// Until the program is measured, playback is by blocks.
+/// Playback is by blocks until the machine time of the program is known.
 void PlaybackHub::postPlay() {
     PlayCommand command{m_state.unitsPerSecond, m_state.everyBlock, {}};
     const auto& times = m_program.times();
@@ -195,7 +196,7 @@ void PlaybackHub::stopPlaying() {
     emit changed();
 }
 
-// Parameters while playing.
+// Parameters during playback
 
 void PlaybackHub::adoptParameters() {
     restartHoldBack();
@@ -211,7 +212,7 @@ void PlaybackHub::postParameters() {
         m_simulation.post(ParametersCommand{*due});
 }
 
-// Frames.
+// Frames
 
 void PlaybackHub::onStarted(const FramePtr& before) {
     const Frame& frame = *m_simulation.frame();
@@ -243,7 +244,7 @@ void PlaybackHub::reportDrawn(std::uint64_t sequence, double uploadSeconds, doub
     if (m_state.everyBlock)
         m_simulation.frameShown(sequence);
     if (!m_state.playing)
-        requestTick(); // no other frame comes to show the new row with
+        requestTick(); // no other frame will follow to show the new row
 }
 
 } // namespace proveout

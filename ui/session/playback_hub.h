@@ -24,60 +24,60 @@ class DocumentHub;
 class ProgramHub;
 class SimulationHub;
 
-/// How the program is played, and the tick that shows it. Thread: the UI thread.
-/// Repainting: panels that show the simulation repaint in `tick` and nowhere else while it plays, because any
-/// repaint in a window with a QOpenGLWidget composes the whole window again.
+/// How the program is played, and the tick that updates the views. Thread: the UI thread.
+/// Repainting: panels that show the simulation repaint only in `tick` during playback, because any repaint in
+/// a window with a QOpenGLWidget composes the whole window again.
 class PlaybackHub final : public QObject {
     Q_OBJECT
 
 public:
-    /// All outlive it.
+    /// All must outlive this object.
     PlaybackHub(const DocumentHub& document, const ProgramHub& program, SimulationHub& simulation,
                 BreakpointList& breakpoints);
 
     [[nodiscard]] const Playback& state() const { return m_state; }
-    /// One row per frame that was drawn, ascending by lastBlock; rows beyond a seek back are dropped when the
-    /// blocks are drawn again.
+    /// One row per drawn frame, ascending by lastBlock; rows after a seek back are dropped when the blocks
+    /// are drawn again.
     [[nodiscard]] const std::vector<FrameStatistics>& frameStatistics() const { return m_frameLog.rows(); }
-    /// Where playback shows all triangles because decimation costs more than it saves: the figures; null
-    /// else. The parameters stay what the user wants, and hold again at rest.
+    /// The measurements if playback shows all triangles because decimation costs more than it saves;
+    /// otherwise null. The user's parameters are unchanged, and apply again when playback pauses.
     [[nodiscard]] const HoldBack* heldBack() const { return m_played.held(m_state.playing); }
 
     void play();
     void pause();
     void togglePlay();
     void step(std::ptrdiff_t blocks);     ///< pauses
-    void seek(std::size_t block);         ///< continues to play where it played
+    void seek(std::size_t block);         ///< playback continues if it was running
     void stepToToolChange(int direction); ///< -1: the previous one, +1: the next one; pauses
     void seekToLine(std::uint32_t line);  ///< the state after source line `line`, 1-based
     void setSpeed(double unitsPerSecond, bool everyBlock = false);
-    void setPlayBy(PlayBy by); ///< at the same multiple of its unit speed
-    /// Bytes that the simulation may keep to go back quickly.
+    void setPlayBy(PlayBy by); ///< keeps the multiple of the unit speed
+    /// The memory in bytes that the simulation may use for checkpoints, which make going back fast.
     void setCheckpointBudget(std::size_t bytes);
 
     /// A frame was drawn, in paintGL or in place of it: appends a row of frameStatistics() and, in paper
-    /// mode, lets the next block be cut. Frames drawn again count once.
+    /// mode, allows the next block to be cut. A frame that is drawn again counts once.
     void reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds);
-    /// Asks for a tick outside playback, e.g. after a colour was changed in a panel.
+    /// Requests a tick outside playback, e.g. after a panel changed a colour.
     void requestTick() { m_tick.request(); }
 
-    /// Simulates the program as it is now. `more`: the one before was its beginning.
+    /// Simulates the current program. `more`: the previous one was its beginning.
     void simulate(bool more);
-    /// The same from the start: the setup is another.
+    /// Starts the simulation again because the setup has changed.
     void load();
-    /// The decimation parameters are others.
+    /// Call it when the decimation parameters have changed.
     void adoptParameters();
-    /// Another document.
+    /// Call it for another document.
     void reset();
 
 signals:
-    void changed(); ///< also what NavigationHub::canReturn() says
+    void changed(); ///< also for NavigationHub::canReturn()
     /// A breakpoint has stopped the run.
     void stoppedAt(const BreakpointHit& hit);
-    /// The play head is sent elsewhere, or what it plays is another.
+    /// Another block was requested, or another program is played.
     void headSent();
-    /// The one coalesced repaint: the newest frame, null where there is none. At most 30 times a second, less
-    /// often where painting takes long.
+    /// One combined repaint of the newest frame, null if there is none. At most 30 times per second, less
+    /// often if painting is slow.
     void tick(const FramePtr& frame);
 
 private:
@@ -97,8 +97,8 @@ private:
     Playback m_state;
     FrameLog m_frameLog;
     PlayedParameters m_played;
-    std::optional<std::size_t> m_checkpointBudget; ///< nothing: the simulation's own
-    QTimer m_paperWatchdog; ///< lets paper mode continue while nobody draws (a minimised window)
+    std::optional<std::size_t> m_checkpointBudget; ///< empty: the default of the simulation
+    QTimer m_paperWatchdog; ///< lets paper mode continue while nothing is drawn (minimised window)
     RepaintTick m_tick;
 };
 

@@ -11,16 +11,16 @@
 
 namespace proveout {
 
-/// Where problems come from; they are listed in this order.
+/// The sources of problems, listed in this sequence.
 enum class ProblemSource : std::uint8_t {
-    files,      ///< files and jobs, exports, what was asked for and could not be done
-    stockFile,  ///< the file of the stock, as long as it holds
+    files,      ///< files, jobs, exports, and requests that failed
+    stockFile,  ///< the stock file, until the problem is resolved
     simulation, ///< the last load
     program,    ///< the newest interpretation
     findings,   ///< of the newest frame
 };
 
-/// What is wrong, from every source, as one list. Thread: the UI thread.
+/// The problems from all sources in one list. Thread: the UI thread.
 class ProblemsHub final : public QObject {
     Q_OBJECT
 
@@ -28,21 +28,21 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] const Diagnostics& all() const { return m_all; }
-    /// Whether the place of a problem is one of the open text; others name their file (a job file, say).
+    /// Whether the location of a problem is in the open text; other problems name their file (e.g. a job
+    /// file).
     [[nodiscard]] static bool isInText(const Diagnostic& problem);
 
-    /// Shows messages that are about no part of the program, e.g. a dropped file that cannot be used, in
-    /// place of those before.
+    /// Replaces the messages that do not concern the program, e.g. about a dropped file that cannot be used.
     void report(const Diagnostics& messages);
-    /// Shows them with those before.
+    /// Adds to these messages.
     void add(const Diagnostics& messages);
-    /// Replaces the problems of one source; shown by the next refresh().
+    /// Replaces the problems of one source; refresh() shows them.
     void set(ProblemSource source, Diagnostics problems);
     void refresh();
 
 signals:
     void changed();
-    /// What was asked for could not be done; the reason is in all().
+    /// A request has failed; the reason is in all().
     void troubled();
 
 private:

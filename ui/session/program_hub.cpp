@@ -41,7 +41,7 @@ ProgramHub::ProgramHub(const DocumentHub& document, ProblemsHub& problems, WorkH
     });
     connect(&m_source, &ProgramSource::failed, this, [this](const Diagnostics& errors) {
         m_work.set(WorkKind::reading, {});
-        m_begun = false; // no more comes
+        m_begun = false; // no more signals follow
         m_problems.report(errors);
     });
 }
@@ -56,7 +56,7 @@ void ProgramHub::interpret() {
     markOutdated();
     const JobDocument& job = m_document.job();
     InterpretOptions options = interpretOptions(*job.setup(), job.text().path);
-    options.file.clear(); // messages without a file are about the text in the editor
+    options.file.clear(); // messages without a file refer to the text in the editor
     if (job.wantsStock())
         options.part = {};
     m_work.set(WorkKind::reading, {});
@@ -85,7 +85,7 @@ void ProgramHub::reset() {
     m_problems.set(ProblemSource::program, {});
 }
 
-/// A million blocks take some tenths of a second: not on this thread.
+/// Runs on another thread, because a million blocks take some tenths of a second.
 void ProgramHub::measure() {
     if (!m_times || m_times->program != m_program)
         m_times.reset();
@@ -97,7 +97,7 @@ void ProgramHub::measure() {
             auto times = machineTimes(program, machine, {reply.stop, {}});
             reply.post([this, times = std::move(times)] { measured(times); });
         } catch (const std::bad_alloc&) {
-            // Playback is by blocks, and no time is shown: the program can still be looked at.
+            // Playback is then by blocks and no time is shown, but the program can still be viewed.
         }
     });
 }

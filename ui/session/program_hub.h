@@ -20,47 +20,48 @@ class DocumentHub;
 class ProblemsHub;
 class WorkHub;
 
-/// What the text of the document says: the program, its cutting extent and its machine time. Interpreted in
-/// the background after every rest in typing. Thread: the UI thread.
+/// The result of interpreting the text: the program, its cutting extent and its machine time. The text is
+/// interpreted in the background whenever the user stops typing for a moment. Thread: the UI thread.
 class ProgramHub final : public QObject {
     Q_OBJECT
 
 public:
-    /// All three outlive it.
+    /// All three must outlive this object.
     ProgramHub(const DocumentHub& document, ProblemsHub& problems, WorkHub& work);
 
-    /// The newest interpretation; null before the first one. May be ahead of the program of the newest frame.
+    /// The newest interpretation; null before the first one. It may be newer than the program of the newest
+    /// frame.
     [[nodiscard]] const std::shared_ptr<const Program>& current() const { return m_program; }
     [[nodiscard]] std::size_t blockCount() const { return m_program ? m_program->blockCount() : 0; }
-    /// How long the machine takes for current(); null while that is not known yet.
+    /// The machine time of current(); null until it is known.
     [[nodiscard]] const std::shared_ptr<const MachineTimes>& times() const { return m_times; }
-    /// What current() cuts.
+    /// The cutting extent of current().
     [[nodiscard]] const CuttingExtent& cutting() const { return m_cutting; }
-    /// The tools that the comments of the text describe.
+    /// The tools that comments of the text describe.
     [[nodiscard]] const ToolProposals& proposals() const { return m_proposals; }
-    /// Whether the text is known to be no program of ours: there is no frame of it.
+    /// Whether the text is known not to be a supported program; then there are no frames of it.
     [[nodiscard]] bool isForeign() const { return m_program && m_program->foreignKind() != nullptr; }
-    /// Whether current() is only the beginning of one whose rest is still being read.
+    /// Whether current() is only the beginning of a program that is still being read.
     [[nodiscard]] bool isReading() const { return m_begun; }
-    /// Whether current() is that of the text and the setup as they are now.
+    /// Whether current() belongs to the current text and setup.
     [[nodiscard]] bool isUpToDate() const { return m_upToDate; }
 
-    /// Interprets the text with the setup as they are now.
+    /// Interprets the current text with the current setup.
     void interpret();
     /// Computes times() for the machine of the document.
     void measure();
-    /// Another document: there is no program of it yet.
+    /// Clears the program because another document is open.
     void reset();
 
 signals:
     void changed();
     void timesChanged();
-    /// For the session: proposals() are new, those before are given.
+    /// For the session: proposals() have changed; `before` is the previous value.
     void proposed(const ToolProposals& before);
-    /// For the session, before changed(). `whole`: else the rest is still being read. `more`: the program
-    /// before was the beginning of this one.
+    /// For the session, emitted before changed(). `whole`: false if the rest is still being read. `more`: the
+    /// previous program was the beginning of this one.
     void arrived(bool whole, bool more);
-    /// Answers about current() are void: the text, the setup or the program is another.
+    /// Results about current() are void, because the text, the setup or the program has changed.
     void outdated();
 
 private:
@@ -77,7 +78,7 @@ private:
     std::shared_ptr<const MachineTimes> m_times; ///< of m_program, or null
     bool m_begun = false;
     bool m_upToDate = false;
-    QTimer m_editPause; ///< typing is interpreted after a short rest
+    QTimer m_editPause; ///< the text is interpreted after a short pause in typing
     ProgramSource m_source;
     NewestTask m_timing;
 };

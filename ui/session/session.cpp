@@ -10,7 +10,7 @@ Session::Session(QObject* parent) : QObject(parent) {
     connect(&m_program, &ProgramHub::arrived, this, &Session::programArrived);
 }
 
-/// First nothing is left of the document before, then everybody hears of the new one.
+/// Clears everything of the previous document before reporting the new one.
 void Session::documentAdopted() {
     m_playback.reset();
     m_job.history().clear();
@@ -44,7 +44,7 @@ void Session::programArrived(bool whole, bool more) {
     if (m_document.job().wantsStock()) {
         m_job.fitStock(!whole);
         if (whole && m_program.current()->asksForStock())
-            return m_program.interpret(); // now there is a stock to probe
+            return m_program.interpret(); // the probing depends on the stock, which has now been fitted
     }
     m_job.fitGrid();
     if (!more)

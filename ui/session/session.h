@@ -18,8 +18,8 @@
 
 namespace proveout {
 
-/// One document with its program, playback and problems: owns the hubs, and carries out what concerns several
-/// of them. Thread: the UI thread, all of it; no call waits for work.
+/// One document with its program, playback and problems: owns the hubs and does what involves several of
+/// them. Thread: the UI thread only; no call waits for work.
 class Session final : public QObject {
     Q_OBJECT
 
@@ -53,7 +53,7 @@ private:
     void jobReread(const DecimationParameters& before);
     void programArrived(bool whole, bool more);
 
-    // Each knows only those before it.
+    // Each hub depends only on those before it.
     ProblemsHub m_problems;
     WorkHub m_work;
     DocumentHub m_document{m_problems, m_work};

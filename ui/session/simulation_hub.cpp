@@ -47,7 +47,8 @@ void SimulationHub::load() {
     m_loadedSetup = m_document.job().setup();
     m_loadGeneration = ++m_generation;
     post(LoadCommand{m_program.current(), m_loadedSetup, m_document.job().parameters(), m_generation});
-    // What was sought before there was a simulation has been dropped: it would count for ever.
+    // A seek from before the load was dropped, so it is sent again; otherwise its target would never be
+    // reached.
     if (m_sought || block() > 0)
         seek(target());
 }
@@ -69,7 +70,7 @@ void SimulationHub::refuse(const Diagnostics& errors) {
 
 void SimulationHub::dropFrame() {
     post(PauseCommand{});
-    m_loadGeneration = ++m_generation; // frames under way are of what was before
+    m_loadGeneration = ++m_generation; // frames on their way belong to the previous simulation
     m_frame.reset();
     m_sought.reset();
     m_problems.set(ProblemSource::findings, {});
@@ -100,7 +101,7 @@ void SimulationHub::seek(std::size_t block) {
     post(seekTo(block));
 }
 
-/// A load forgets where the simulation was on its way to, so it is kept here until it is there.
+/// A load clears the target of the simulation, so it is stored here until it is reached.
 SeekCommand SimulationHub::seekTo(std::size_t block) {
     m_sought = {std::min(block, m_program.blockCount()), ++m_ticket};
     return {m_sought->block, m_ticket};
@@ -110,7 +111,7 @@ void SimulationHub::step(std::ptrdiff_t blocks) {
     const auto last = static_cast<std::ptrdiff_t>(m_program.blockCount());
     const auto from = std::min(static_cast<std::ptrdiff_t>(target()), last);
     m_sought = {static_cast<std::size_t>(from + std::clamp(blocks, -from, last - from)), ++m_ticket};
-    // The command pauses by itself; a PauseCommand before it would drop the steps that are still under way.
+    // The command pauses by itself; a PauseCommand before it would drop pending steps.
     post(StepCommand{blocks, m_ticket});
 }
 

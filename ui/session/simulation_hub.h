@@ -20,13 +20,13 @@ class ProblemsHub;
 class ProgramHub;
 class WorkHub;
 
-/// The simulation thread with the program and setup that it runs on, its newest frame, and where the play
-/// head is on its way to. Thread: the UI thread; no call waits for work.
+/// The simulation thread with its program and setup, its newest frame, and the block that it is moving to.
+/// Thread: the UI thread; no call waits for work.
 class SimulationHub final : public QObject {
     Q_OBJECT
 
 public:
-    /// All outlive it.
+    /// All must outlive this object.
     SimulationHub(const DocumentHub& document, const ProgramHub& program, ProblemsHub& problems,
                   WorkHub& work);
     ~SimulationHub() override;
@@ -35,45 +35,45 @@ public:
     [[nodiscard]] const FramePtr& frame() const { return m_frame; }
     /// Blocks executed in the newest frame: 0 … blockCount() of the program.
     [[nodiscard]] std::size_t block() const { return m_frame ? m_frame->block : 0; }
-    /// Where the play head is or is on its way to.
+    /// The block that was requested last, or the current one.
     [[nodiscard]] std::size_t target() const { return m_sought ? m_sought->block : block(); }
-    /// Whether the simulation runs on a program, and on this setup.
+    /// Whether the simulation has a program, and whether it has this setup.
     [[nodiscard]] bool isLoaded() const { return m_loadedSetup != nullptr; }
     [[nodiscard]] bool runsOn(const std::shared_ptr<const Setup>& setup) const {
         return m_loadedSetup == setup;
     }
-    /// The newest frame where it is of the program that was posted last, else null.
+    /// The newest frame if it belongs to the program that was posted last, otherwise null.
     [[nodiscard]] const Frame* presentFrame() const;
 
-    /// Loads program and setup as they are now; the play head stays where it is sought.
+    /// Loads the current program and setup; the target block stays the same.
     void load();
-    /// The program is another; what it has in common with the one before is kept.
+    /// Continues with a changed program; the part that is equal to the previous one is kept.
     void edit();
-    /// There is no simulation of the program: nothing is shown in its place.
+    /// The program cannot be simulated: no frame is shown.
     void unload();
-    /// The stock is not what it is called: as unload(), with the reasons among the problems.
+    /// The stock does not match its description: like unload(), and the reasons are added to the problems.
     void refuse(const Diagnostics& errors);
-    /// Another document.
+    /// Call it for another document.
     void reset();
     void seek(std::size_t block);
     /// Relative to target(); pauses.
     void step(std::ptrdiff_t blocks);
-    /// The simulation rests, and is no longer on its way.
+    /// Stops the simulation and clears the target.
     void pause();
     void post(SimulationCommand command);
     /// The frame with this number is on the screen.
     void frameShown(std::uint64_t sequence);
-    /// Takes the newest frame, if there is one of the present program: taken().
+    /// Adopts the newest frame if it belongs to the current program; emits taken().
     void takeFrame();
 
 signals:
-    /// A frame can be taken.
+    /// A new frame is available.
     void frameReady();
-    /// frame() is another; the one before is given, null where there was none.
+    /// frame() has changed; `before` is the previous one, null if there was none.
     void taken(const FramePtr& before);
-    /// The simulation is gone until the next load; the reasons are among the problems next.
+    /// There is no simulation until the next load; the reasons are added to the problems afterwards.
     void failed();
-    /// Long work was cancelled.
+    /// A long operation was cancelled.
     void cancelled();
 
 private:
@@ -88,17 +88,18 @@ private:
     WorkHub& m_work;
     std::shared_ptr<const Setup> m_loadedSetup; ///< null: nothing loaded
     std::uint64_t m_generation = 0;
-    std::uint64_t m_loadGeneration = 0; ///< of the newest load; failures of older ones concern nothing
+    std::uint64_t m_loadGeneration = 0; ///< of the newest load; failures of older ones are ignored
     FramePtr m_frame;
-    /// Where the play head is on its way to, and the ticket of the command that sends it there.
+    /// The target block, and the ticket of the command that seeks it.
     struct Sought {
         std::size_t block = 0;
         std::uint64_t ticket = 0;
     };
     std::optional<Sought> m_sought;
     std::uint64_t m_ticket = 0;
-    UiQueue m_news;                             ///< of the simulation thread
-    std::unique_ptr<SimulationThread> m_thread; ///< last: it ends before what it posts to
+    UiQueue m_news;                             ///< messages of the simulation thread
+    std::unique_ptr<SimulationThread> m_thread; ///< last member: it must end before what it posts to is
+                                                ///< destroyed
 };
 
 } // namespace proveout

@@ -48,7 +48,7 @@ void StockFileHub::watch() {
     report(false);
 }
 
-/// It may be again what was read.
+/// The file may again match what was read.
 void StockFileHub::watchedChanged() {
     const StockShape& shape = m_job.setup().shape;
     report(stateOf(shape.file) != shape.fileState);
@@ -73,10 +73,10 @@ void StockFileHub::reload() {
     });
 }
 
-/// No change of the job, which names the same file.
+/// Not a change of the job, which names the same file.
 void StockFileHub::adopt(const StockBox& box, const StockShape& shape) {
     Setup read = m_job.setup();
-    const Vec3 corner = read.stock.corner; // it may have been moved in the meantime
+    const Vec3 corner = read.stock.corner; // the user may have moved it in the meantime
     read.stock = box;
     read.stock.corner = corner;
     read.shape = shape;

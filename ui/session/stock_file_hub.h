@@ -14,22 +14,22 @@ namespace proveout {
 class JobHub;
 class ProblemsHub;
 
-/// The file that the stock of the setup was read from: a change on the disk is a problem until the user
-/// decides. Thread: the UI thread; the file is read in the background.
+/// The file that the stock of the setup was read from: a change on disk is a problem until the user decides.
+/// Thread: the UI thread; the file is read in the background.
 class StockFileHub final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive it.
+    /// Both must outlive this object.
     StockFileHub(JobHub& job, ProblemsHub& problems);
 
     /// Reads the stock again.
     void reload();
-    /// Its body stays what it was until it is read again.
+    /// Keeps the loaded stock until it is read again.
     void keep();
 
 signals:
-    /// The file is no longer what was read; false: it is again, or another is watched.
+    /// The file has changed since it was read; false: it matches again, or another file is watched.
     void changedOnDisk(bool changed);
 
 private:
@@ -41,7 +41,7 @@ private:
     JobHub& m_job;
     ProblemsHub& m_problems;
     FileWatch m_watch;
-    std::shared_ptr<const StockBody> m_watched; ///< that was read from the file of m_watch
+    std::shared_ptr<const StockBody> m_watched; ///< the stock that was read from the file of m_watch
     NewestTask m_reading;
 };
 

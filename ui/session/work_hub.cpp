@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 
-/// In the order of WorkKind.
+/// Same order as WorkKind.
 constexpr std::array<const char*, kWorkKinds> kLabels{
     QT_TRANSLATE_NOOP("WorkHub", "Exporting"),
     QT_TRANSLATE_NOOP("WorkHub", "Opening the file"),

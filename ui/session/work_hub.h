@@ -12,11 +12,11 @@
 
 namespace proveout {
 
-/// Long work that can be cancelled. Of several at once the first in this order is shown.
+/// Long operations that can be cancelled. If several are running, the first in this list is shown.
 enum class WorkKind : std::uint8_t { exporting, opening, reading, searching, simulating };
 inline constexpr std::size_t kWorkKinds = 5;
 
-/// Long work under way. Value type.
+/// A long operation in progress. Value type.
 struct Work {
     QString label;
     double done = 0; ///< in [0, 1]
@@ -24,7 +24,7 @@ struct Work {
     friend bool operator==(const Work&, const Work&) = default;
 };
 
-/// How far the long work of the session is. Thread: the UI thread.
+/// The progress of the session's long operations. Thread: the UI thread.
 class WorkHub final : public QObject {
     Q_OBJECT
 
@@ -32,12 +32,12 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] const std::optional<Work>& current() const { return m_current; }
-    /// Cancels current(); where nothing is shown, what the simulation is doing.
+    /// Cancels current(); if nothing is shown, the work of the simulation.
     void cancel();
 
-    /// `cancel` lives as long as the hub is asked.
+    /// `cancel` must stay valid as long as the hub.
     void setCancel(WorkKind kind, std::function<void()> cancel);
-    /// How far it is, in [0, 1]; nothing where it is not under way.
+    /// Progress in [0, 1]; empty if the operation is not running.
     void set(WorkKind kind, std::optional<double> done);
 
 signals:
@@ -48,7 +48,7 @@ private:
         std::optional<double> done;
         std::function<void()> cancel;
     };
-    /// The index of the work that is shown; kWorkKinds where there is none.
+    /// The index of the operation that is shown; kWorkKinds if there is none.
     [[nodiscard]] std::size_t shown() const;
 
     std::array<State, kWorkKinds> m_work;

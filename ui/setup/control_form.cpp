@@ -29,7 +29,7 @@ constexpr bool kHasOwnForm =
     std::is_same_v<Value, std::optional<Vec3>> || std::is_same_v<Value, std::optional<int>> ||
     std::is_same_v<Value, std::optional<DialectId>> || std::is_same_v<Value, std::set<int>>;
 
-/// Calls `visit(value, field, index)` for each row that is a switch.
+/// Calls `visit(value, field, index)` for each row that is an on/off setting or has two choices.
 template<class Params, class Visitor>
 void eachSwitch(Params& setup, Visitor&& visit) {
     std::size_t index = 0;
@@ -62,7 +62,7 @@ void ControlForm::build() {
         m_dialect->addItem(QString::fromUtf8(row.name));
     layout->addWidget(m_dialectLabel);
     layout->addWidget(m_dialect);
-    // Choices above boxes, and created in that order, because the Tab key follows it.
+    // Combo boxes are above check boxes, and created in that sequence, because the Tab key follows it.
     addSwitches(*layout, [](const Field& field) { return !field.choices.empty(); });
     addSwitches(*layout, [](const Field& field) { return field.choices.empty(); });
     m_ignored = new IgnoredCodesField(this);
@@ -138,7 +138,7 @@ void ControlForm::showProgram(const Setup& setup) {
     showCompensation();
 }
 
-/// The dialect that the text shows by its signs, named once it is known.
+/// The dialect that was detected in the text, named once it is known.
 QString ControlForm::automaticDialect() const {
     const auto& program = m_session.program().current();
     if (!program || m_session.job().setup().dialect)
@@ -148,7 +148,7 @@ QString ControlForm::automaticDialect() const {
     return tr("Automatic: %1").arg(QString::fromUtf8(dialect(program->dialect()).name));
 }
 
-/// Only for the controls that have this setting.
+/// Visible only for controls that have this setting.
 void ControlForm::showCompensation() {
     const auto& chosen = m_session.job().setup().dialect;
     const bool known = chosen || m_session.program().current();

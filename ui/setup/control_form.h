@@ -18,7 +18,7 @@ namespace proveout {
 class IgnoredCodesField;
 class StartForm;
 
-/// What is set on the control: the rows of eachControlField(). A row that is a switch or one of two choices
+/// The settings of the control: the rows of eachControlField(). An on/off setting or one with two choices
 /// gets its widget from its description, named like its option; the others have forms of their own.
 class ControlForm final : public QWidget {
     Q_OBJECT
@@ -26,12 +26,12 @@ class ControlForm final : public QWidget {
 public:
     explicit ControlForm(Session& session, QWidget* parent = nullptr);
 
-    /// Shows other values, and what the present program says of them; emits nothing.
+    /// Shows the values of the setup, and what the current program says about them; emits nothing.
     void show(const Setup& setup);
     /// Shows what depends on the program: the assumed tool, the names of the dialect and of the ignored
     /// codes, and the rows that its control has.
     void showProgram(const Setup& setup);
-    /// Another document: a text that is not finished, or wrong, belongs to none.
+    /// Discards unfinished or invalid text, because it belongs to the previous document.
     void dropText();
     void put(Setup& setup) const;
 
@@ -59,7 +59,7 @@ private:
     Session& m_session;
     QLabel* m_dialectLabel;
     QComboBox* m_dialect;
-    std::vector<Switch> m_switches; ///< in the order of the rows
+    std::vector<Switch> m_switches; ///< same order as the rows
     IgnoredCodesField* m_ignored = nullptr;
     StartForm* m_start = nullptr;
 };

@@ -17,7 +17,7 @@ void addChanges(const std::map<std::string, double>& before, const std::map<std:
             changed.insert(key);
 }
 
-/// Another shape comes with keys of its own, which nobody has stated.
+/// The keys that only the new shape has get default values.
 void useShape(ToolOrigin& origin, const ToolSpec& before, const ToolSpec& after) {
     std::erase_if(origin.defaults, [&](const std::string& key) { return !after.values.contains(key); });
     for (const auto& row : after.values)

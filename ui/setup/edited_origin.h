@@ -8,9 +8,9 @@
 
 namespace proveout {
 
-/// Where the sizes of an unconfirmed tool come from after the user has changed `before` into `after`: what
-/// was entered is no default any more. Nothing: the tool is confirmed, because its diameter (of a form
-/// cutter, its profile) was entered; no other size says what cutter it is.
+/// The origin of the sizes of an unconfirmed tool after the user has changed `before` into `after`: an
+/// entered size is no longer a default. Empty: the tool is confirmed, because its diameter (for a form
+/// cutter, its profile) was entered; no other size identifies the cutter.
 [[nodiscard]] std::optional<ToolOrigin> editedOrigin(ToolOrigin origin, const ToolSpec& before,
                                                      const ToolSpec& after);
 

@@ -36,7 +36,7 @@ IgnoredCodesField::IgnoredCodesField(QWidget* parent)
     retranslate();
 }
 
-/// A wrong text waits for its correction, unless others have changed the codes.
+/// An invalid text stays for correction, unless the codes were changed elsewhere.
 void IgnoredCodesField::show(const Setup& setup) {
     const bool another = std::exchange(m_shown, setup.ignoredM) != setup.ignoredM;
     if (isBeingTyped(*m_list) || (!m_problem->isHidden() && !another))
@@ -68,7 +68,7 @@ void IgnoredCodesField::put(Setup& setup) const {
         setup.ignoredM = *codes;
 }
 
-/// The text is left as it is where it is wrong, so that it can be corrected.
+/// An invalid text is kept, so that the user can correct it.
 void IgnoredCodesField::finish() {
     const auto codes = parseMCodes(m_list->text().toStdString());
     m_problem->setVisible(!codes);

@@ -13,8 +13,8 @@ class QLineEdit;
 
 namespace proveout {
 
-/// The list of M codes that move no axis on the machine, and below it those that the program holds and that
-/// are ignored.
+/// The list of M codes that move no axis of the machine, and below it those that the program contains and
+/// that are ignored.
 class IgnoredCodesField final : public QWidget {
     Q_OBJECT
 
@@ -22,9 +22,9 @@ public:
     explicit IgnoredCodesField(QWidget* parent = nullptr);
 
     void show(const Setup& setup);
-    /// Another document: a text that is not finished, or wrong, belongs to none.
+    /// Discards unfinished or invalid text, because it belongs to the previous document.
     void dropText();
-    /// What `program` ignores; null: nothing yet.
+    /// Shows the codes that `program` ignores; null: none yet.
     void showProgram(const Program* program);
     /// A list that cannot be read changes nothing.
     void put(Setup& setup) const;

@@ -20,12 +20,12 @@ void KeptInView::keep() {
 }
 
 void KeptInView::bring() {
-    // Who types elsewhere by now must not lose that field instead.
+    // If the user is typing elsewhere now, scrolling could move that field out of view.
     QWidget* field = m_form.window()->focusWidget();
     m_keeps = m_keeps && (field == nullptr || m_form.isAncestorOf(field));
     if (!m_keeps)
         return;
-    m_area.widget()->layout()->activate(); // a tool that was just added has its form only now
+    m_area.widget()->layout()->activate(); // a tool that was just added gets its form only here
     m_area.ensureWidgetVisible(&m_form);
     if (field != nullptr)
         m_area.ensureWidgetVisible(field);
@@ -33,7 +33,7 @@ void KeptInView::bring() {
 
 bool KeptInView::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
-    // Queued: the layouts are not through yet.
+    // Queued, because the layouts have not finished yet.
     if (m_keeps && (type == QEvent::Resize || type == QEvent::Move || type == QEvent::LayoutRequest))
         QMetaObject::invokeMethod(this, &KeptInView::bring, Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);

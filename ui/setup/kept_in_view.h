@@ -7,15 +7,15 @@ class QScrollArea;
 
 namespace proveout {
 
-/// Keeps the field of a form that is being typed in inside the view of its scroll area, while what stands
-/// around it comes and goes, until the user scrolls or types elsewhere. Thread: UI.
+/// Keeps the form field in which the user is typing visible in its scroll area while widgets around it are
+/// shown and hidden, until the user scrolls or types elsewhere. Thread: UI.
 class KeptInView final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive this.
+    /// Both must outlive this object.
     KeptInView(QScrollArea& area, QWidget& form);
-    /// From now on.
+    /// Starts to keep the field in view.
     void keep();
 
 protected:

@@ -31,7 +31,7 @@ MachineForm::MachineForm(Session& session, QWidget* parent)
         auto* box = new NumberBox(this);
         box->setObjectName(QLatin1String(field.key));
         setUpBox(*box, field);
-        box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
+        box->setMinimumWidth(kBoxWidth); // its default would fit the largest number of the range
         label->setBuddy(box);
         const auto row = static_cast<int>(m_boxes.size());
         layout->addWidget(label, row, 0);

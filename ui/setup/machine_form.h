@@ -14,7 +14,7 @@ namespace proveout {
 
 class NumberBox;
 
-/// How fast the machine is, one row a field of describe(), and how long it takes for the program.
+/// The speeds of the machine, one row per field of describe(), and the machine time of the program.
 class MachineForm final : public QWidget {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ private:
     void apply();
 
     Session& m_session;
-    std::vector<QLabel*> m_labels; ///< in the order of the fields
+    std::vector<QLabel*> m_labels; ///< same order as the fields
     std::vector<NumberBox*> m_boxes;
     QLabel* m_times;
     QTimer m_rest;

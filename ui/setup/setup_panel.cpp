@@ -53,7 +53,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_tools, &ToolTableEditor::lineWanted, this,
             [this](std::uint32_t line) { emit m_session.navigation().lineRequested(line, 1); });
-    // The window brings the panel forward first: what is hidden takes no focus.
+    // Queued, because the window must show the panel first: a hidden widget cannot get the focus.
     connect(&session.navigation(), &NavigationHub::toolRequested, this, &SetupPanel::showTool,
             Qt::QueuedConnection);
     connect(m_define, &QPushButton::clicked, this, [this] { assumeMissingTools(m_session); });
@@ -96,7 +96,7 @@ void SetupPanel::build() {
     m_problem->hide();
 }
 
-/// The document is another one, and what was edited in the one before is void.
+/// The document has changed, so edits of the previous one are void.
 void SetupPanel::dropInput() {
     m_rest.stop();
     m_making.cancel();
@@ -105,15 +105,15 @@ void SetupPanel::dropInput() {
     m_control->dropText();
 }
 
-/// Others may change the setup at any time: the stock is fitted, tools are found in comments. What the user
-/// has changed meanwhile, and is not applied yet, stays in the form.
+/// The setup can change at any time, because the stock is fitted and tools are found in comments. Changes by
+/// the user that are not applied yet stay in the form.
 void SetupPanel::showSetup() {
     Setup form = edited(m_shown);
     if (m_rest.isActive() || m_session.job().setup().shape == m_shown.shape) {
         const StockSpec spec = m_stock->spec(form);
         form.stock = spec.box;
         form.shape = spec.shape;
-    } else { // a shape whose file is still being read is void, for example after an undone step
+    } else { // a shape whose file is still being read is void, e.g. after undo
         m_making.cancel();
     }
     const Setup held = carried(m_session.job().setup(), m_shown, form);
@@ -162,7 +162,8 @@ void SetupPanel::showMemory(const Setup& setup) {
                                figuresText(readableBytes(zmapBytes(*grid)))));
 }
 
-/// `setup` with what the form has, but for shape and size of the stock, whose body may have to be made.
+/// `setup` with the values of the form, except shape and size of the stock, whose body may have to be
+/// created.
 Setup SetupPanel::edited(Setup setup) const {
     setup.tools = m_tools->tools();
     m_stock->put(setup);
@@ -176,7 +177,7 @@ void SetupPanel::apply() {
     applyStock(edited(m_session.job().setup()));
 }
 
-/// A body is made anew where it is described otherwise: at once where no file is needed.
+/// Creates the body again if its description has changed; immediately if no file is needed.
 void SetupPanel::applyStock(Setup setup) {
     const StockSpec spec = m_stock->spec(setup);
     const StockShape& before = setup.shape;
@@ -193,11 +194,11 @@ void SetupPanel::applyStock(Setup setup) {
     const bool fromFile = spec.shape.kind != StockKind::cylinder;
     if (fromFile && spec.shape.file.empty())
         return useNoStock(spec, setup);
-    // Something from another file lies where it lies by itself.
+    // A body from another file uses the position in that file.
     makeStock(spec, another && fromFile ? std::nullopt : std::optional(setup.stock.corner));
 }
 
-/// In the background; then it is used with what the form has by then.
+/// Runs in the background; the result is used with the values that the form has by then.
 void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& corner) {
     m_problem->hide();
     if (!spec.shape.file.empty())
@@ -230,14 +231,14 @@ void SetupPanel::useStock(const StockSpec& spec, Setup setup) {
     use(setup);
 }
 
-/// A shape that cannot be made: nothing else is simulated under its name.
+/// The shape cannot be created; no other stock may be simulated in its place.
 void SetupPanel::useNoStock(const StockSpec& spec, Setup setup) {
     setup.shape = spec.shape;
     setup.shape.body.reset();
     use(setup);
 }
 
-/// A stock or a grid that is refused leaves the form, and all else is used without it.
+/// If the stock or the grid is refused, the form keeps the input and everything else is used without it.
 void SetupPanel::use(Setup setup) {
     showMemory(setup);
     const Result<void> done = m_session.job().setSetup(setup);
@@ -249,7 +250,7 @@ void SetupPanel::use(Setup setup) {
     setup.shape = present.shape;
     setup.spacing = present.spacing;
     setup.automaticGrid = present.automaticGrid;
-    static_cast<void>(m_session.job().setSetup(setup)); // the first error is the one to be told
+    static_cast<void>(m_session.job().setSetup(setup)); // the first error is the one to report
     showProblem(done.error());
 }
 
@@ -270,7 +271,7 @@ void SetupPanel::fitToProgram() {
     });
 }
 
-/// Marked while the tools are in no job file as they are.
+/// Marked with an asterisk while the tools have unsaved changes.
 void SetupPanel::titleTools() {
     m_toolsTitle->setText(m_session.document().job().toolsModified() ? tr("Tools") + u'*' : tr("Tools"));
 }

@@ -21,7 +21,7 @@ class MachineForm;
 class StockForm;
 class ToolTableEditor;
 
-/// What stands on the machine before the program runs: control, stock, grid, tools.
+/// The setup of the machine before the program runs: control, stock, grid, tools.
 class SetupPanel final : public QWidget {
     Q_OBJECT
 
@@ -68,9 +68,9 @@ private:
     QPushButton* m_define;
     QLabel* m_machineTitle;
     MachineForm* m_machine;
-    Setup m_shown; ///< of the session, when it was shown last: what the form has otherwise was edited since
+    Setup m_shown; ///< the setup shown last; what differs in the form was edited since
     QTimer m_rest;
-    NewestTask m_making; ///< a stock from its file
+    NewestTask m_making; ///< reads a stock from its file
 };
 
 } // namespace proveout

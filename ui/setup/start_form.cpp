@@ -46,7 +46,7 @@ StartForm::StartForm(QWidget* parent)
         auto* box = new NumberBox(this);
         box->setObjectName(QStringLiteral("start-") + QLatin1Char("xyz"[axis]));
         setUpBox(*box, setup_field::kStart);
-        box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
+        box->setMinimumWidth(kBoxWidth); // its default would fit the largest number of the range
         label->setBuddy(box);
         const auto row = static_cast<int>(axis) + 2;
         layout->addWidget(label, row, 0);
@@ -89,7 +89,7 @@ void StartForm::put(Setup& setup) const {
     setup.start = start;
 }
 
-/// Not set, the empty spindle, the tools of the table; and the one that is set, if it is none of these.
+/// Not set, the empty spindle and the tools of the table; also the set tool if it is not one of these.
 std::vector<StartForm::Item> StartForm::toolItems() const {
     std::vector<Item> items{
         {m_assumed ? tr("Not set: %1 is assumed").arg(nameOf(*m_assumed)) : tr("Not set"), {}}};
@@ -104,7 +104,7 @@ std::vector<StartForm::Item> StartForm::toolItems() const {
     return items;
 }
 
-/// In place, because the list may be open.
+/// Updates the items in place, because the list may be open.
 void StartForm::fillTools() {
     const QSignalBlocker quiet(m_tool);
     const std::vector<Item> items = toolItems();
@@ -136,7 +136,7 @@ void StartForm::retranslate() {
         const QString name = tr("Start %1", "an axis").arg(QLatin1Char("XYZ"[axis]));
         m_axisLabels[axis]->setText(name);
         showFieldTexts(*m_position[axis], setup_field::kStart, fieldNumber(setup_field::kStart, 0, locale()));
-        m_position[axis]->setAccessibleName(name); // of its axis
+        m_position[axis]->setAccessibleName(name); // named after its axis
     }
     fillTools();
 }

@@ -21,14 +21,14 @@ namespace proveout {
 
 class NumberBox;
 
-/// How the machine is before the first block: the tool in the spindle, and the position, if it is known.
+/// The state of the machine before the first block: the tool in the spindle, and the position if it is known.
 class StartForm final : public QWidget {
     Q_OBJECT
 
 public:
     explicit StartForm(QWidget* parent = nullptr);
 
-    /// Shows other values; emits nothing. `program` may be null; it decides which tool is assumed.
+    /// Shows the values of the setup; emits nothing. `program` may be null; it decides which tool is assumed.
     void show(const Setup& setup, const Program* program);
     void put(Setup& setup) const;
 

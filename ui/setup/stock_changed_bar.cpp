@@ -20,7 +20,7 @@ StockChangedBar::StockChangedBar(Session& session, QWidget* parent)
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     m_text->setForegroundRole(QPalette::ToolTipText);
-    m_text->setTextFormat(Qt::PlainText); // the name is the user's
+    m_text->setTextFormat(Qt::PlainText); // the name comes from the user
     m_text->setWordWrap(true);
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);

@@ -10,13 +10,12 @@ class QPushButton;
 
 namespace proveout {
 
-/// "blank.pvstock has changed on disk: Reload, Keep This Version". Comes and goes by itself with the signals
-/// of the session.
+/// "blank.pvstock has changed on disk: Reload, Keep This Version". The session's signals show and hide it.
 class StockChangedBar final : public QFrame {
     Q_OBJECT
 
 public:
-    /// The session outlives the bar.
+    /// The session must outlive the bar.
     StockChangedBar(Session& session, QWidget* parent);
 
 protected:

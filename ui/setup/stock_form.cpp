@@ -83,7 +83,7 @@ void StockForm::addShapes(QGridLayout& layout) {
 }
 
 void StockForm::addField(QGridLayout& layout, const StockShapeRow& row, const StockField& field) {
-    // A box has the names that it had before there were shapes.
+    // A box keeps the names from before there were other shapes.
     const QString prefix = row.kind == StockKind::box ? QStringLiteral("stock")
                                                       : QStringLiteral("stock-") + QLatin1String(row.key);
     const QString name = prefix + u'-' + QLatin1String(field.name);
@@ -139,7 +139,7 @@ NumberBox* StockForm::lengthBox(const QString& name, double minimum, double maxi
     box->setObjectName(name);
     box->setDecimals(3);
     box->setRange(minimum, maximum);
-    box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
+    box->setMinimumWidth(kBoxWidth); // its default would fit the largest number of the range
     box->setStepType(minimum > 0 ? QAbstractSpinBox::AdaptiveDecimalStepType
                                  : QAbstractSpinBox::DefaultStepType);
     connect(box, &QDoubleSpinBox::valueChanged, this, &StockForm::edited);

@@ -20,18 +20,19 @@ namespace proveout {
 class GridField;
 class NumberBox;
 
-/// Shape, size and place of the stock, and the grid. The fields of the shapes are read from their table.
+/// Shape, size and position of the stock, and the grid. The fields of each shape come from the table of
+/// shapes.
 class StockForm final : public QWidget {
     Q_OBJECT
 
 public:
     explicit StockForm(QWidget* parent = nullptr);
-    /// Shows other values; emits nothing.
+    /// Shows the values of the setup; emits nothing.
     void show(const Setup& setup);
-    /// Puts position and grid into `setup`.
+    /// Writes position and grid to `setup`.
     void put(Setup& setup) const;
-    /// What the form describes, on the ground of `setup`; it has no body where that of `setup` is of another
-    /// description.
+    /// The stock described by the form, based on `setup`; without a body if that of `setup` does not match
+    /// the description.
     [[nodiscard]] StockSpec spec(const Setup& setup) const;
 
 signals:
@@ -41,7 +42,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    /// A field of one shape; one of the editors, by its value.
+    /// A field of one shape; its type of value decides which of the editors is used.
     struct ShapeField {
         StockKind kind;
         const StockField* field;
@@ -68,7 +69,7 @@ private:
     QComboBox* m_shape;
     std::vector<ShapeField> m_fields;
     std::vector<QLabel*> m_labels;   ///< of the position
-    std::vector<NumberBox*> m_boxes; ///< in the order of their table
+    std::vector<NumberBox*> m_boxes; ///< same order as their table
     QLabel* m_gridLabel;
     GridField* m_grid;
 };

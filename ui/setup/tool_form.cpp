@@ -24,7 +24,7 @@ QString nameOf(const std::string& key) {
     return QString::fromStdString("tool-" + key);
 }
 
-/// The key of a shape; null where it has none of this name, or means something else by it.
+/// The key of a shape; null if it has no key with this name, or one with another meaning.
 const ShapeKey* sameKey(const std::vector<ShapeKey>& keys, const ShapeKey& wanted) {
     const auto found = std::ranges::find_if(keys, [&](const ShapeKey& key) {
         return std::string_view(key.key) == wanted.key && std::string_view(key.label) == wanted.label;
@@ -82,7 +82,7 @@ void ToolForm::chooseShape(int index) {
     ToolSpec chosen = readSpec(cutterShapes()[static_cast<std::size_t>(index)].key);
     const std::vector<ShapeKey> before = keysOf(m_spec.shape);
     for (const ShapeKey& key : keysOf(chosen.shape)) {
-        // What both shapes have (diameter, lengths) stays.
+        // Sizes that both shapes have (diameter, lengths) are kept.
         const ShapeKey* same = key.isText() ? nullptr : sameKey(before, key);
         if (same != nullptr)
             chosen.values[key.key] = std::clamp(m_spec.values[key.key], key.minimum, key.maximum);

@@ -13,7 +13,7 @@ class QFormLayout;
 
 namespace proveout {
 
-/// Shape and sizes of one tool, made from the table of shapes.
+/// Shape and sizes of one tool, created from the table of shapes.
 class ToolForm final : public QWidget {
     Q_OBJECT
 

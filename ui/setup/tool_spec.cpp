@@ -25,7 +25,7 @@ std::vector<ShapeKey> keysOf(std::string_view shape) {
 
 namespace {
 
-/// Takes the value of a key that the tool has.
+/// Adopts the value if the tool has this key.
 void readPair(std::string_view pair, ToolSpec& tool) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string_view::npos)
@@ -41,7 +41,7 @@ void readPair(std::string_view pair, ToolSpec& tool) {
         place->second = value;
 }
 
-/// The value of a key as a spec holds it; empty where it need not be told.
+/// The value of a key as written in a spec; empty if it can be omitted.
 std::string valueToReport(const ToolSpec& spec, const ShapeKey& key) {
     if (key.isText())
         return spec.texts.at(key.key);

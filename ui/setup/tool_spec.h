@@ -10,26 +10,26 @@
 
 namespace proveout {
 
-/// `SHAPE:key=value,…` taken apart for a form. Value type.
+/// `SHAPE:key=value,…` split into its parts for a form. Value type.
 struct ToolSpec {
     std::string shape;
     std::map<std::string, double> values;
-    std::map<std::string, std::string> texts; ///< of keys whose values are text
+    std::map<std::string, std::string> texts; ///< for keys whose values are text
 };
 
-/// Reads the spec of a cutter; keys that are no shape's are dropped.
+/// Reads the spec of a cutter; keys that the shape does not have are dropped.
 [[nodiscard]] ToolSpec readSpec(std::string_view spec);
 
-/// Writes a spec; keys that have their standard value and need not be told are left out.
+/// Writes a spec; optional keys with their default value are omitted.
 [[nodiscard]] std::string writeSpec(const ToolSpec& spec);
 
-/// The keys of a shape, then those of every shape.
+/// The keys of a shape, followed by those that all shapes have.
 [[nodiscard]] std::vector<ShapeKey> keysOf(std::string_view shape);
 
-/// The row of a shape; the first row where the name is unknown.
+/// The row of a shape; the first row if the name is unknown.
 [[nodiscard]] const CutterShape& shapeRow(std::string_view shape);
 
-/// The tool that a dialog proposes: the first shape with its standard values.
+/// The tool that a dialog proposes: the first shape with its default values.
 [[nodiscard]] ToolSpec defaultSpec();
 
 } // namespace proveout

@@ -30,7 +30,7 @@ namespace {
 
 constexpr int kRowsShown = 5;
 
-/// The labels of some keys of a cutter, as of ToolOrigin::defaults.
+/// The labels of the given keys of a cutter, such as those in ToolOrigin::defaults.
 QString labelsOf(const Cutter& cutter, const std::vector<std::string>& keys) {
     QStringList names;
     for (const std::string& key : keys) {
@@ -185,7 +185,7 @@ void ToolTableEditor::showTool(QTreeWidgetItem& item, int number) const {
     }
 }
 
-/// Where the sizes of the selected tool come from, while they are not confirmed.
+/// Shows where the sizes of the selected tool come from while they are unconfirmed.
 void ToolTableEditor::showOrigin() {
     const int number = selectedNumber();
     const ToolOrigin* origin = m_tools.unconfirmedOrigin(number);

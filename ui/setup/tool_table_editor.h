@@ -17,7 +17,7 @@ namespace proveout {
 class CountBox;
 class ToolForm;
 
-/// The tools by number: a list, and the form of the selected one.
+/// The tools by number: a list, and the form of the selected tool.
 class ToolTableEditor final : public QWidget {
     Q_OBJECT
 
@@ -26,15 +26,15 @@ public:
     [[nodiscard]] const ToolTable& tools() const { return m_tools; }
     /// Shows other tools; emits nothing.
     void show(const ToolTable& tools);
-    /// Adds a tool with the default sizes, assumed until they are edited or confirmed; nothing where the
-    /// number is taken.
+    /// Adds a tool with the default sizes, assumed until they are edited or confirmed; does nothing if the
+    /// number is in use.
     void add(int number);
-    /// Selects a tool and its first size, so that it can be typed; adds the tool where it is missing.
+    /// Selects a tool and its first size for typing; adds the tool if it is missing.
     void edit(int number);
 
 signals:
     void edited();
-    /// The user wants to see the comment that a tool was read from.
+    /// The user wants to see the comment from which a tool was read.
     void lineWanted(std::uint32_t line);
 
 protected:

@@ -10,7 +10,7 @@
 namespace proveout {
 
 namespace {
-constexpr int kPixelsAUnit = 2; ///< of a PNG
+constexpr int kPixelsAUnit = 2; ///< for PNG files
 constexpr int kLeastHeight = 160;
 } // namespace
 
@@ -22,7 +22,7 @@ ChartView::ChartView(QWidget* parent) : QWidget(parent) {
 void ChartView::setChart(const Chart& chart) {
     m_chart = chart;
     setAccessibleName(QString::fromStdString(chart.title));
-    setToolTip(QString::fromStdString(chart.title + "\n" + chart.subtitle)); // a low view has no place for it
+    setToolTip(QString::fromStdString(chart.title + "\n" + chart.subtitle)); // a low view has no space for it
     layOut();
 }
 
@@ -66,7 +66,7 @@ void ChartView::paintEvent(QPaintEvent*) {
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, m_placeholder);
         return;
     }
-    painter.fillRect(rect(), Qt::white); // as on paper, in the dark theme too
+    painter.fillRect(rect(), Qt::white); // white as on paper, in the dark theme too
     QSizeF size(m_renderer.defaultSize());
     size.scale(QSizeF(rect().size()), Qt::KeepAspectRatio);
     QRectF place(QPointF(0, 0), size);

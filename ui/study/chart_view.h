@@ -9,14 +9,14 @@
 
 namespace proveout {
 
-/// Shows a chart, laid out for its own size; what is exported has the size of the files.
+/// Shows a chart laid out for the view's own size; exported charts have the size of the study's files.
 class ChartView final : public QWidget {
     Q_OBJECT
 
 public:
     explicit ChartView(QWidget* parent = nullptr);
     void setChart(const Chart& chart);
-    /// What is told while there is no chart.
+    /// The text that is shown while there is no chart.
     void setPlaceholder(const QString& text);
     [[nodiscard]] const Chart& chart() const { return m_chart; }
     [[nodiscard]] bool empty() const { return m_chart.curves.empty(); }

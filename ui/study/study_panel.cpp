@@ -29,12 +29,12 @@ namespace proveout {
 
 namespace {
 
-/// The words of the core, in the user's language.
+/// Text of the core, translated.
 std::string words(const char* text) {
     return coreText(text).toStdString();
 }
 
-/// What a chart is exported as; the first also where the name of the file ends otherwise.
+/// The formats for exporting a chart; the first one is used for unknown extensions.
 struct FigureFormat {
     const char* ending;
     QByteArray (*bytes)(const ChartView& view);
@@ -195,7 +195,7 @@ void StudyPanel::showForecast() {
 
 void StudyPanel::report(const QString& text) {
     m_result->setText(text);
-    m_result->setVisible(!text.isEmpty()); // its line is the chart's else
+    m_result->setVisible(!text.isEmpty()); // otherwise the chart gets its line
 }
 
 void StudyPanel::useChoice() {

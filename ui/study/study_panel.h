@@ -20,8 +20,8 @@ namespace proveout {
 
 class ChartView;
 
-/// The paper's sweeps on the open program, drawn while they run, and the choice of region size and period
-/// with prediction and reality side by side.
+/// The paper's sweeps on the open program, drawn while they run, and the choice of region size and period,
+/// with predicted and measured values side by side.
 class StudyPanel final : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
 
     [[nodiscard]] StudyRunner& runner() { return m_runner; }
     [[nodiscard]] const ChartView& view() const { return *m_view; }
-    /// Writes the chart shown as CSV, SVG or PNG, by the ending of the file.
+    /// Writes the displayed chart as CSV, SVG or PNG, depending on the extension of the file.
     bool exportTo(const QString& file);
 
 protected:
@@ -62,7 +62,7 @@ private:
     QLabel* m_result;
     ChartView* m_view;
 
-    StudySubject m_subject; ///< of the study under way, or the last one
+    StudySubject m_subject; ///< of the current or the last study
     std::vector<StudyRun> m_runs;
     std::shared_ptr<const Rehearsal> m_rehearsal; ///< null: the last study was a sweep
     std::vector<MeasuredSchedule> m_measured;

@@ -13,13 +13,14 @@
 namespace proveout {
 
 namespace {
-constexpr std::size_t kFramesARun = 64; ///< drawn, so that a sweep is not all waiting for pictures
+constexpr std::size_t kFramesARun = 64; ///< number of drawn frames, limited so that drawing does not take
+                                        ///< most of a sweep
 constexpr int kCheckingRuns = 3;
-constexpr double kRehearsed = 0.2; ///< the share of progress in which choosing ends
+constexpr double kRehearsed = 0.2; ///< share of the progress that the choice takes
 
 using Work = std::function<Result<void>(DrawCost&, const WorkContext&)>;
 
-/// What should not happen is told as well, and ends no more than the study.
+/// Unexpected exceptions are reported too, and end only the study.
 Result<void> carriedOut(const Work& work, DrawCost& drawing, const WorkContext& context) {
     try {
         return work(drawing, context);
@@ -111,7 +112,7 @@ void StudyRunner::start(std::function<Result<void>(DrawCost&, const WorkContext&
         m_drawing.reset();
         emit ended();
     });
-    m_thread->start(QThread::LowPriority); // the window comes first
+    m_thread->start(QThread::LowPriority); // the window has priority
 }
 
 } // namespace proveout

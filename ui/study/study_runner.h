@@ -15,10 +15,10 @@ class QThread;
 
 namespace proveout {
 
-/// Makes what draws for a study; called on the UI thread, for use on `thread`.
+/// Creates the renderer of a study; called on the UI thread, for use on `thread`.
 using MakeDrawing = std::function<Result<std::unique_ptr<DrawCost>>(QThread* thread)>;
 
-/// Runs one study at a time on a thread of its own. UI thread; signals come there too.
+/// Runs one study at a time on its own thread. UI thread; signals are emitted there too.
 class StudyRunner final : public QObject {
     Q_OBJECT
 
@@ -26,9 +26,9 @@ public:
     explicit StudyRunner(MakeDrawing makeDrawing, QObject* parent = nullptr);
     ~StudyRunner() override; ///< stops the study and waits for it
 
-    /// Nothing where a study is under way.
+    /// Does nothing if a study is running.
     void sweep(StudyJob job, std::vector<StudyPoint> points);
-    /// Chooses region size and period, then measures them and what was given, in turns.
+    /// Chooses region size and period, then measures the choice and the given parameters alternately.
     void optimise(StudyJob job, const DecimationParameters& given);
     void cancel() { m_stop.request_stop(); }
     [[nodiscard]] bool busy() const { return m_thread != nullptr; }

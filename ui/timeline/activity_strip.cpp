@@ -15,7 +15,7 @@ std::size_t place(Activity activity) {
     return static_cast<std::size_t>(activity);
 }
 
-/// From below.
+/// From bottom to top.
 constexpr std::array kOrder{Activity::cutting, Activity::air, Activity::rapid, Activity::rapidInStock};
 
 } // namespace
@@ -45,7 +45,7 @@ std::array<int, kActivities> ActivityStrip::rowsOf(const ActivitySums& sums, int
         if (sums.has(activity))
             rows[place(activity)] = std::max(1, static_cast<int>(std::lround(sums.share(activity) * height)));
     }
-    // The largest gives what the others need, or takes what they leave.
+    // The largest part gets the difference, so that the sum is right.
     *std::ranges::max_element(rows) += height - std::accumulate(rows.begin(), rows.end(), 0);
     return rows;
 }
@@ -69,7 +69,7 @@ int ActivityStrip::update(const ActivityLog& log) {
     const std::size_t known = std::min(log.size(), m_blocks);
     if (m_drawn >= known)
         return 0;
-    // The column of the first new block was drawn with those before it, where it has any.
+    // The column of the first new block may also contain older blocks, so it is drawn again.
     const auto columns = static_cast<std::size_t>(m_image.width());
     const auto first = static_cast<int>(m_drawn * columns / m_blocks);
     const auto last = static_cast<int>((known * columns + m_blocks - 1) / m_blocks);
@@ -83,7 +83,7 @@ int ActivityStrip::update(const ActivityLog& log) {
 
 void ActivityStrip::drawColumn(int column, const ActivitySums& sums) {
     const std::array colors{m_colors.rapid.rgba(), m_colors.air.rgba(), m_colors.cutting.rgba(),
-                            m_colors.rapidInStock.rgba()}; // by Activity
+                            m_colors.rapidInStock.rgba()}; // same order as Activity
     const auto rows = rowsOf(sums, m_image.height());
     int y = m_image.height();
     for (const Activity activity : kOrder) {

@@ -14,13 +14,14 @@
 
 namespace proveout {
 
-/// What a program does as a picture, a column a pixel over all its blocks: cutting from below, air on it,
-/// rapids on top, each as high as its share of the time. Whatever occurs in a column has a row of it at
-/// least, and a rapid through stock has the whole column: neither is lost among thousands of blocks on one
-/// pixel. What was not simulated yet is empty. Kept between updates, which draw the columns that are new.
+/// The activity in a program as an image with one pixel column per range of blocks: cutting at the bottom,
+/// air cuts above it, rapids on top, each as high as its share of the time. Every activity in a column gets
+/// at least one row, and a rapid through material fills the column, so that neither gets lost among thousands
+/// of blocks on one pixel. Blocks that were not simulated yet are empty. The image is kept, and an update
+/// draws only new columns.
 class ActivityStrip {
 public:
-    /// Rapids are dotted with theirs above their lowest row, so that no kind is told by hue alone.
+    /// Rapids are dotted above their lowest row, so that nothing depends on hue alone.
     struct Colors {
         QColor cutting;
         QColor air;
@@ -36,15 +37,16 @@ public:
         std::size_t first = 0;
         std::size_t last = 0;
     };
-    /// Those that a column stands for: one where there are fewer blocks than columns; else every block
-    /// stands in exactly one of them. `blocks` > 0.
+    /// The blocks of a column: one if there are fewer blocks than columns, otherwise every block belongs to
+    /// exactly one column. `blocks` > 0.
     [[nodiscard]] static Stretch blocksOf(int column, int columns, std::size_t blocks);
-    /// Rows of a column by Activity; their sum is `height`, or 0 where nothing is known. `height` >= 3.
+    /// Rows of a column by Activity; their sum is `height`, or 0 if nothing is known. `height` >= 3.
     [[nodiscard]] static std::array<int, kActivities> rowsOf(const ActivitySums& sums, int height);
 
-    /// Takes another size in pixels, number of blocks or colours: the picture is then empty.
+    /// Sets size in pixels, number of blocks and colours; if they change, the image is cleared.
     void fit(QSize size, std::size_t blocks, const Colors& colors);
-    /// Draws what is new in the log, or all where it tells otherwise than before. Returns how many columns.
+    /// Draws what is new in the log, or everything if older entries have changed. Returns the number of
+    /// columns drawn.
     int update(const ActivityLog& log);
     [[nodiscard]] const QImage& image() const { return m_image; }
 

@@ -11,12 +11,12 @@ namespace proveout {
 
 namespace {
 
-constexpr double kLeastPercent = 0.1; // what is told to one digit
+constexpr double kLeastPercent = 0.1; // percentages are shown with one digit
 
 struct LegendRow {
     Activity activity;
     QColor ActivityStrip::Colors::*color;
-    const char* sign; ///< as in the strip
+    const char* sign; ///< the same sign as in the strip
     const char* label;
 };
 constexpr std::array kRows{
@@ -36,7 +36,7 @@ QString number(std::size_t value) {
     return QLocale().toString(static_cast<qulonglong>(value));
 }
 
-/// What occurs is never told to be nothing.
+/// A share that occurs is never shown as 0.
 QString percent(double share, bool occurs) {
     const double value = 100 * share;
     const bool little = occurs && value < kLeastPercent;
@@ -56,7 +56,7 @@ QStringList activityLegend(const ActivityLog& log, const ActivityStrip::Stretch&
     const ActivitySums sums = log.sums(stretch.first, stretch.last);
     if (sums.empty())
         return {text(QT_TRANSLATE_NOOP("Activity", "Not simulated yet")).toHtmlEscaped()};
-    const std::size_t last = std::min(stretch.last, log.size()); // of the known ones
+    const std::size_t last = std::min(stretch.last, log.size()); // of the known blocks
     const bool single = last - stretch.first == 1;
     if (!single && !log.times())
         return {};

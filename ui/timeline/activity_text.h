@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a stretch of the program does, in words.
+// The activity in a range of blocks, as text.
 #pragma once
 
 #include <QString>
@@ -9,12 +9,12 @@
 
 namespace proveout {
 
-/// The lines of a tool tip, as rich text, with the colours of the strip: shares of the machine's time, or
-/// what a single block does; that nothing is known yet. Empty where times are not known.
+/// The lines of a tooltip, as rich text, with the colours of the strip: shares of the machine time, or the
+/// activity of a single block, or that nothing is known yet. Empty if times are unknown.
 [[nodiscard]] QStringList activityLegend(const ActivityLog& log, const ActivityStrip::Stretch& stretch,
                                          const ActivityStrip::Colors& colors);
 
-/// Of all blocks that were simulated so far, one line; empty where there are none, or no times.
+/// One line about all blocks simulated until now; empty if there are none, or no times.
 [[nodiscard]] QString activitySummary(const ActivityLog& log);
 
 } // namespace proveout

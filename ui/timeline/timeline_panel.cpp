@@ -24,20 +24,20 @@ namespace proveout {
 
 namespace {
 
-constexpr int kPaperMode = kSpeedCount; // the entry behind the speeds
-constexpr int kPaceCount = 3;           // of PlayBy
+constexpr int kPaperMode = kSpeedCount; // the item after the speeds
+constexpr int kPaceCount = 3;           // number of PlayBy values
 constexpr int kIconSize = 20;
-constexpr double kLags = 0.95; // of the speed that was asked for
+constexpr double kLags = 0.95; // share of the requested speed
 constexpr int kMostDecimals = 3;
-constexpr double kWidestLag = 1000; // times the unit speed
+constexpr double kWidestLag = 1000; // factor of the unit speed, for the widest text
 
-/// Blocks executed where a breakpoint at `line` stops first.
+/// The number of blocks executed when a breakpoint at `line` first stops.
 std::size_t blockBefore(const Program& program, std::uint32_t line) {
     const std::size_t after = program.blocksAfterLine(line);
     return after > 0 && program.blockLine(after - 1) == line ? after - 1 : after;
 }
 
-/// To two digits, and no exponent: a speed is read at a glance.
+/// Two significant digits without an exponent, because a speed must be readable at a glance.
 QString roundedText(const QLocale& locale, double value) {
     if (!(value > 0) || !std::isfinite(value))
         return locale.toString(value);
@@ -91,7 +91,7 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     connect(&session.breakpoints(), &BreakpointList::changed, this, &TimelinePanel::showProgram);
     connect(&session.program(), &ProgramHub::timesChanged, this, &TimelinePanel::showTimes);
     connect(&session.job(), &JobHub::setupChanged, this,
-            &TimelinePanel::showTimes); // names the tools
+            &TimelinePanel::showTimes); // because the text names the tools
     connect(&session.program(), &ProgramHub::changed, this, &TimelinePanel::showProgram);
     connect(&session.problems(), &ProblemsHub::changed, this, &TimelinePanel::showProgram);
     connect(&session.playback(), &PlaybackHub::tick, this, &TimelinePanel::showFrame);
@@ -104,7 +104,7 @@ void TimelinePanel::addTransport(QHBoxLayout& layout, const PlaybackCommands& co
         auto* button = new QToolButton(this);
         button->setDefaultAction(commands.actions().find(id));
         button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::TabFocus); // a click leaves the arrow keys where they were
+        button->setFocusPolicy(Qt::TabFocus); // a click must not take the arrow keys from the focused widget
         button->setIconSize({kIconSize, kIconSize});
         button->setAutoRepeat(button->defaultAction()->shortcutContext() != Qt::WindowShortcut);
         layout.addWidget(button);
@@ -112,7 +112,7 @@ void TimelinePanel::addTransport(QHBoxLayout& layout, const PlaybackCommands& co
     layout.addSpacing(6);
 }
 
-/// The lag comes and goes: below, where its place is free always, it moves nothing.
+/// The actual speed is shown only at times, so it is in the lower row, where its space is always reserved.
 void TimelinePanel::addReadings(QHBoxLayout& layout) {
     auto* readings = new QGridLayout;
     readings->setHorizontalSpacing(8);
@@ -143,9 +143,10 @@ void TimelinePanel::retranslate() {
     showTimes();
 }
 
-/// In place, as the speeds: their own choice leads here, and the list may be open.
+/// Updates the items in place, as for the speeds, because the list may be open when its own selection calls
+/// this.
 void TimelinePanel::namePaces() {
-    const QStringList names{tr("Blocks"), tr("Path length"), tr("Machine time")}; // in the order of PlayBy
+    const QStringList names{tr("Blocks"), tr("Path length"), tr("Machine time")}; // same order as PlayBy
     for (int index = 0; index < m_by->count(); ++index)
         m_by->setItemText(index, names[index]);
 }
@@ -227,12 +228,12 @@ void TimelinePanel::showFrame(const FramePtr& frame) {
         QStringLiteral("%1 / %2").arg(locale().toString(static_cast<qulonglong>(block)), last);
     if (text == m_position->text())
         return;
-    // Wide enough for the last block, so that nothing moves while the number grows.
+    // Wide enough for the last block number, so that the layout does not change while the number grows.
     m_position->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(last)) + 8);
     m_position->setText(text);
 }
 
-/// Cycle time where the head stands, and of the whole program.
+/// Cycle time up to the current block, and of the whole program.
 void TimelinePanel::showTime(std::size_t block) {
     const auto& times = m_session.program().times();
     const bool known = times && block < times->secondsAfter.size();
@@ -263,7 +264,7 @@ void TimelinePanel::showActivity(const FramePtr& frame) {
     reportShares();
 }
 
-/// Where the time goes by the program, and by what was cut so far.
+/// The shares of the machine time, of the program and of what has been cut until now.
 void TimelinePanel::reportShares() {
     const QString shares = activitySummary(m_activity.log());
     m_time->setToolTip(shares.isEmpty() ? m_timeTip : m_timeTip + u'\n' + shares);

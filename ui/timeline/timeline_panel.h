@@ -15,12 +15,12 @@ namespace proveout {
 
 class TimelineScale;
 
-/// Transport buttons, the range of all blocks, the machine's time, and how fast the program is played.
+/// Transport buttons, the range of all blocks, the machine time, and the playback speed.
 class TimelinePanel final : public QWidget {
     Q_OBJECT
 
 public:
-    /// `commands` outlives the panel; their keys act here too.
+    /// `commands` must outlive the panel; their keys are active here too.
     TimelinePanel(Session& session, const PlaybackCommands& commands, QWidget* parent = nullptr);
     [[nodiscard]] TimelineScale& scale() { return *m_scale; }
 
@@ -55,8 +55,8 @@ private:
     QComboBox* m_by;
     QLabel* m_speedLabel;
     QComboBox* m_speed;
-    QString m_timeTip;                  ///< of the machine, without what was simulated
-    PlayBy m_namedFor = PlayBy::blocks; ///< what the speeds are named for
+    QString m_timeTip;                  ///< machine time only, without simulated shares
+    PlayBy m_namedFor = PlayBy::blocks; ///< the mode that the names of the speeds refer to
 };
 
 } // namespace proveout

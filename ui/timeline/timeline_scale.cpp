@@ -20,12 +20,12 @@ namespace proveout {
 
 namespace {
 
-constexpr double kMargin = 10;  // room for half of the head
-constexpr double kTrackTop = 9; // the marks stand above
+constexpr double kMargin = 10;  // half the width of the current block marker
+constexpr double kTrackTop = 9; // the marks are above
 constexpr double kTrackHeight = 10;
-constexpr double kStripTop = 24; // clear of the head
+constexpr double kStripTop = 24; // below the current block marker
 constexpr double kStripHeight = 8;
-constexpr double kStripBottom = kStripTop + kStripHeight; // the numbers stand below
+constexpr double kStripBottom = kStripTop + kStripHeight; // the numbers are below
 constexpr double kHeadWidth = 11;
 constexpr int kHeight = 54;
 constexpr int kLabelEveryPixels = 90;
@@ -81,7 +81,7 @@ void TimelineScale::moveHead(std::size_t block) {
 
 void TimelineScale::setMarks(std::vector<TimelineMark> marks) {
     m_marks = std::move(marks);
-    // The worse is painted later, over the others.
+    // More severe marks are painted later, over the others.
     std::ranges::sort(m_marks, {}, [](const TimelineMark& mark) {
         return std::tuple(mark.kind, mark.severity, mark.block);
     });
@@ -171,13 +171,13 @@ void TimelineScale::paintMarks(QPainter& painter) const {
         const double x = positionOf(mark.block);
         const bool alike = last != nullptr && last->kind == mark.kind && last->severity == mark.severity;
         if (alike && x - positionOf(last->block) < 1)
-            continue; // thousands on one pixel are drawn once
+            continue; // thousands of marks on one pixel are drawn once
         last = &mark;
         paintMark(painter, colors, mark, x);
     }
 }
 
-/// Shapes tell the kinds apart too: a triangle, a disc, a diamond.
+/// The kinds also differ in shape: a triangle, a disc, a diamond.
 void TimelineScale::paintMark(QPainter& painter, const MeaningColors& colors, const TimelineMark& mark,
                               double x) {
     QPolygonF shape;
@@ -239,7 +239,7 @@ void TimelineScale::mouseReleaseEvent(QMouseEvent*) {
 }
 
 void TimelineScale::wheelEvent(QWheelEvent* event) {
-    m_wheel -= event->angleDelta().y() + event->angleDelta().x(); // touchpads tell fractions of a notch
+    m_wheel -= event->angleDelta().y() + event->angleDelta().x(); // touchpads report fractions of a notch
     const std::ptrdiff_t notches = m_wheel / QWheelEvent::DefaultDeltasPerStep;
     m_wheel %= QWheelEvent::DefaultDeltasPerStep;
     const bool fast = (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) != 0;

@@ -14,7 +14,7 @@ namespace proveout {
 
 struct MeaningColors;
 
-/// A tick on the scale: something happened after `block` executed blocks.
+/// A mark on the scale after `block` executed blocks.
 struct TimelineMark {
     enum class Kind : std::uint8_t { toolChange, breakpoint, problem };
     std::size_t block = 0;
@@ -22,7 +22,8 @@ struct TimelineMark {
     Severity severity = Severity::note; ///< of a problem
 };
 
-/// The range of all blocks with the play head; scrubbing moves the head. Knows blocks only, no session.
+/// The range of all blocks with a marker at the current block, which can be dragged. Knows only blocks, not
+/// the session.
 class TimelineScale final : public QWidget {
     Q_OBJECT
 
@@ -30,12 +31,13 @@ public:
     explicit TimelineScale(QWidget* parent = nullptr);
 
     void setBlockCount(std::size_t blocks);
-    /// Moves the head; while the user drags it, it stays under the mouse.
+    /// Moves the marker; while the user drags it, it stays under the mouse.
     void setBlock(std::size_t block);
     void setMarks(std::vector<TimelineMark> marks);
-    /// What the strip under the track shows; it outlives the scale, and who changes it calls update().
+    /// The data of the strip below the track; it must outlive the scale, and callers that change it must call
+    /// update().
     void setActivity(const ActivityLog& log) { m_activity = &log; }
-    /// The blocks that stand at one pixel of the strip. There are some.
+    /// The blocks at a pixel of the strip; there must be blocks.
     [[nodiscard]] ActivityStrip::Stretch stretchAt(double x) const;
 
     [[nodiscard]] std::size_t blockAt(double x) const;
@@ -44,11 +46,11 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
-    /// The user dragged or clicked the head to a place.
+    /// The user dragged the marker to a block or clicked there.
     void scrubbed(std::size_t block);
-    /// Wheel: so many blocks on (negative: back).
+    /// The wheel moved by this many blocks (negative: back).
     void stepped(std::ptrdiff_t blocks);
-    /// What the tool tip says about a block is asked from who knows the program.
+    /// Requests the tooltip for a block, because the scale does not know the program.
     void tipWanted(std::size_t block, QPoint globalPlace);
 
 protected:
@@ -73,7 +75,7 @@ private:
     std::size_t m_blocks = 0;
     std::size_t m_block = 0;
     bool m_dragging = false;
-    int m_wheel = 0;                   ///< turned, not yet stepped, in eighths of a degree
+    int m_wheel = 0;                   ///< turned but not yet used for steps, in eighths of a degree
     std::vector<TimelineMark> m_marks; ///< by kind, then severity, then block
     const ActivityLog* m_activity = nullptr;
     ActivityStrip m_strip;

@@ -29,7 +29,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kBoxWidth = 90; // a box's own wish is room for the largest number of its range
+constexpr int kBoxWidth = 90; // a box's default would fit the largest number of its range
 
 } // namespace
 
@@ -61,7 +61,7 @@ ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent), m_layout(new QF
     describe(m_values, [this](auto& place, const Field& field) { addRow(place, field); });
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    // In a narrow panel an editor with long choices goes under its label, and is read to its end there.
+    // In a narrow panel an editor with long choices moves below its label, so that it remains readable.
     m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
     for (std::size_t i = 0; i < m_rows.size(); ++i)
         place(i);
@@ -123,7 +123,7 @@ QToolButton* ParameterForm::addRow(QLabel* label, QWidget* editor) {
     reset->setIcon(icon(QStringLiteral("undo")));
     reset->hide();
     QSizePolicy policy = reset->sizePolicy();
-    policy.setRetainSizeWhenHidden(true); // the editors end in one line
+    policy.setRetainSizeWhenHidden(true); // keeps the editors aligned
     reset->setSizePolicy(policy);
     if (qobject_cast<QAbstractSpinBox*>(editor) != nullptr)
         editor->setMinimumWidth(kBoxWidth);
@@ -143,7 +143,7 @@ void ParameterForm::place(std::size_t index) {
     connect(row.reset, &QToolButton::clicked, this, [this, index] { reset(index); });
 }
 
-/// A click on the button moves no focus: what was typed is finished first, and can be undone to.
+/// Clicking the button does not move the focus, so typed text is committed first and becomes an undo step.
 void ParameterForm::reset(std::size_t row) {
     finishTyping(*m_rows[row].editor);
     emit stepEnded();
@@ -173,7 +173,7 @@ void ParameterForm::showMethod() {
         m_rows[i].used = proveout::row(m_values.method).uses(m_rows[i].field.key);
         m_layout->setRowVisible(static_cast<int>(i), m_rows[i].used);
     }
-    retranslate(); // tool tips name the standards
+    retranslate(); // the tooltips contain the default values
 }
 
 void ParameterForm::showRow(const Row& row) {

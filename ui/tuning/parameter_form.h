@@ -15,9 +15,9 @@ class QToolButton;
 
 namespace proveout {
 
-/// One row per field of DecimationParameters that the method looks at, made from describe(): label, editor
-/// with unit and range, and a button that brings the default back. Another method brings its own defaults,
-/// where the values were those of the one before. Text that is no number never leaves an editor.
+/// One row per field of DecimationParameters that the method uses, created from describe(): label, editor
+/// with unit and range, and a button that resets the default. Changing the method sets its defaults for
+/// values that had the previous method's defaults. Text that is not a number is never adopted.
 class ParameterForm final : public QWidget {
     Q_OBJECT
 
@@ -25,27 +25,28 @@ public:
     explicit ParameterForm(QWidget* parent = nullptr);
 
     [[nodiscard]] const DecimationParameters& values() const { return m_values; }
-    /// Puts a row under the others, one that is no field of the struct, too; hands out its button, hidden.
+    /// Adds a row below the others, also one that is not a field of the struct; returns its button, hidden.
     QToolButton* addRow(QLabel* label, QWidget* editor);
     /// Shows other values; emits nothing.
     void setValues(const DecimationParameters& values);
-    /// The map has so many points, on which the default of the region size depends. Emits nothing.
+    /// Sets the number of points of the z-map, on which the default of the region size depends. Emits
+    /// nothing.
     void setPoints(double points);
 
 signals:
     void edited(const DecimationParameters& values);
-    /// What was edited before and what comes next are two steps of the user, in the same field too.
+    /// Changes before and after this are two undo steps, even in the same field.
     void stepEnded();
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    /// One field; its value passes as a double, whatever its type.
+    /// One field; its value is passed as a double, whatever its type.
     struct Row {
         Field field;
-        double defaultValue = 0;              ///< with the present method and map
-        bool used = true;                     ///< the present method looks at it
+        double defaultValue = 0;              ///< for the current method and z-map
+        bool used = true;                     ///< whether the current method uses it
         std::function<double()> value;        ///< in m_values
         std::function<void(double)> setValue; ///< in m_values
         std::function<void(double)> show;     ///< in the editor
@@ -58,14 +59,14 @@ private:
     void addRow(T& place, const Field& field);
     QWidget* makeChoices(Row& row);
     template<class T>
-    QWidget* makeEditor(Row& row); ///< for a value that is no choice
+    QWidget* makeEditor(Row& row); ///< for a value without choices
     QWidget* makeSwitch(Row& row);
     QWidget* makeInteger(Row& row);
     QWidget* makeNumber(Row& row);
     void place(std::size_t row);
     void reset(std::size_t row);
     void change(std::size_t row, double value);
-    /// Standards and all rows, for the method of m_values.
+    /// Updates defaults and all rows for the method of m_values.
     void showMethod();
     void findDefaults();
     void showRow(const Row& row);

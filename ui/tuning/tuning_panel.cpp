@@ -76,7 +76,7 @@ void TuningPanel::dropInput() {
     m_grid->show(m_shownSetup);
 }
 
-/// With what the user has changed and is not applied yet.
+/// Keeps changes by the user that are not applied yet.
 void TuningPanel::showParameters() {
     m_form->setValues(carried(m_session.job().parameters(), m_shownParameters, m_form->values()));
     m_shownParameters = m_session.job().parameters();
@@ -103,7 +103,7 @@ void TuningPanel::applyGrid() {
     const Result<void> done = m_session.job().setSetup(setup);
     showProblem(done ? QString() : sentence(done.error().front()));
     if (!done)
-        m_grid->show(m_session.job().setup()); // the spacing that the stock has, as all other panels tell it
+        m_grid->show(m_session.job().setup()); // the spacing of the setup, as in all other panels
 }
 
 void TuningPanel::showProblem(const QString& text) {

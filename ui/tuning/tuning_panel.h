@@ -13,7 +13,7 @@ namespace proveout {
 class GridField;
 class ParameterForm;
 
-/// The parameters of decimation and the grid, changed while the program plays, with their measured effect.
+/// The decimation parameters and the grid, which can be changed during playback, with their measured effect.
 class TuningPanel final : public QWidget {
     Q_OBJECT
 
@@ -28,11 +28,11 @@ private:
     void retranslate();
     void apply();
     void applyGrid();
-    /// Of another document now.
+    /// Another document is open.
     void dropInput();
     void showParameters();
     void showSetup();
-    /// An empty one hides the line.
+    /// An empty text hides the line.
     void showProblem(const QString& text);
     void colourProblem();
     void showEffect(const FramePtr& frame);
@@ -49,10 +49,10 @@ private:
     QLabel* m_error;
     QLabel* m_regions;
     QLabel* m_heldBack;
-    // As they were shown last: what the form has otherwise was edited since.
+    // The values shown last; what differs in the form was edited since.
     DecimationParameters m_shownParameters;
     Setup m_shownSetup;
-    QTimer m_rest; ///< changes are applied after a short rest
+    QTimer m_rest; ///< changes are applied after a short pause
 };
 
 } // namespace proveout

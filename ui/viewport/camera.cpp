@@ -17,7 +17,7 @@ struct Angles {
     double azimuth;
     double elevation;
 };
-// In the order of StandardView. Iso looks from the right, front and above.
+// Same order as StandardView. The isometric view is from the right, front and above.
 constexpr std::array<Angles, kStandardViews> kAngles{{
     {-kPi / 4, 0.6154797086703873}, // atan(1 / sqrt 2)
     {-kPi / 2, kPi / 2},
@@ -87,20 +87,20 @@ void Camera::zoom(double factor, const Vec3& fixed) {
     const double wanted = std::clamp(m_halfHeight * factor, m_leastHalfHeight, m_mostHalfHeight);
     factor = wanted / m_halfHeight;
     m_halfHeight = wanted;
-    // A scaling of target and eye about the fixed point: directions from the eye to it stay as they are.
+    // Scales target and eye about the fixed point, so the direction from the eye to it stays the same.
     m_target = fixed + (m_target - fixed) * factor;
 }
 
 void Camera::fit(const Box3& box) {
     if (box.empty())
         return;
-    // Screen coordinates of the corners about the box's centre; b towards the viewer.
+    // Screen coordinates of the corners relative to the centre of the box; b points towards the viewer.
     const Vec3 centre = 0.5 * (box.lo + box.hi);
     const double room = 1 - 2 * kFitMargin;
     const double aspect = static_cast<double>(m_width) / m_height;
     const double tangent = std::tan(kFieldOfView / 2);
-    // Per axis: the eye's depth D and place t with |x - t| <= k (D - b) for every corner; without perspective
-    // the depth counts for nothing and D becomes the half height.
+    // Per axis: the eye's depth D and offset t with |x - t| <= k (D - b) for every corner; without
+    // perspective the depth has no effect and D becomes half the height.
     const auto least = [&](const Vec3& axis, double k) {
         double high = -1e300;
         double low = -1e300;
@@ -157,7 +157,7 @@ View Camera::view(const Box3& scene) const {
     View view;
     if (m_perspective) {
         farthest = std::max(farthest, 1e-3);
-        nearest = std::max(nearest, farthest * 1e-4); // A 24 bit depth buffer asks for it.
+        nearest = std::max(nearest, farthest * 1e-4); // required by a 24 bit depth buffer
         view.clipFromWorld = glm::perspective(kFieldOfView, aspect, nearest, farthest);
         view.eye = eye();
     } else {

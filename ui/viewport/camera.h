@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the viewer stands. Knows neither OpenGL nor widgets.
+// The position of the viewer. Independent of OpenGL and widgets.
 #pragma once
 
 #include <array>
@@ -13,19 +13,19 @@ namespace proveout {
 enum class StandardView : std::uint8_t { iso, top, bottom, front, back, left, right };
 inline constexpr std::size_t kStandardViews = 7;
 
-/// A ray in program coordinates; `direction` is unit.
+/// A ray in program coordinates; `direction` is a unit vector.
 struct Ray {
     Vec3 origin{0};
     Vec3 direction{0, 0, -1};
 };
 
-/// A turntable with Z up: azimuth, elevation, a target, and how many mm half the picture's height shows at
-/// the target. The same numbers mean the same apparent size in both projections. Points of the picture are
-/// device pixels from its upper left corner. Value type.
+/// A turntable camera with Z up: azimuth, elevation, a target, and how many mm half the image height covers
+/// at the target. Equal numbers give equal apparent sizes in both projections. Image points are device pixels
+/// from the upper left corner. Value type.
 class Camera {
 public:
-    static constexpr double kFieldOfView = 0.5; ///< radians over the picture's height
-    static constexpr double kFitMargin = 0.09;  ///< of the picture, on each side of the tighter direction
+    static constexpr double kFieldOfView = 0.5; ///< radians over the image height
+    static constexpr double kFitMargin = 0.09;  ///< share of the image, on each side in the tighter direction
 
     void setPicture(int width, int height, double pixelRatio);
     void setPerspective(bool perspective) { m_perspective = perspective; }
@@ -39,24 +39,24 @@ public:
     [[nodiscard]] double halfHeight() const { return m_halfHeight; }
     [[nodiscard]] Vec3 eye() const { return m_target + back() * distance(); }
 
-    /// Turns about the target; a drag across the picture's height is half a turn.
+    /// Turns about the target; a drag over the full image height is half a turn.
     void orbit(double dx, double dy);
-    /// Moves so that what lies at the target's depth follows the pointer.
+    /// Moves the camera so that points at the target's depth follow the pointer.
     void pan(double dx, double dy);
-    /// How many mm half the picture's height may show after zoom().
+    /// The range for half the image height in mm that zoom() must respect.
     void limitZoom(double least, double most);
-    /// Scales the distance to `fixed`, which keeps its place in the picture; factor < 1 comes nearer.
+    /// Scales the distance to `fixed`, which keeps its position in the image; factor < 1 moves closer.
     void zoom(double factor, const Vec3& fixed);
     void setTarget(const Vec3& target) { m_target = target; }
-    /// The whole box inside the picture with kFitMargin; nothing for an empty box.
+    /// Fits the whole box into the image with kFitMargin; does nothing for an empty box.
     void fit(const Box3& box);
 
     [[nodiscard]] Ray ray(double x, double y) const;
     /// The point under a pixel at the target's depth.
     [[nodiscard]] Vec3 atTargetDepth(double x, double y) const;
-    /// Pixel of a point that lies in front of the eye.
+    /// The pixel of a point in front of the eye.
     [[nodiscard]] Vec2 project(const Vec3& point) const;
-    /// With near and far planes just around `scene`.
+    /// The view with near and far planes that just enclose `scene`.
     [[nodiscard]] View view(const Box3& scene) const;
 
 private:

@@ -10,7 +10,7 @@
 namespace proveout {
 namespace {
 
-constexpr double kZoomPerStep = 0.85; ///< of a wheel, 120 units of angle
+constexpr double kZoomPerStep = 0.85; ///< per wheel step, which is an angle of 120 units
 constexpr double kKeyOrbitPixels = 40;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How drags, the wheel and keys move a camera. Points are pixels of its picture.
+// How drags, the wheel and keys move a camera. Points are pixels of its image.
 #pragma once
 
 #include <QPointF>
@@ -11,11 +11,11 @@ class QKeyEvent;
 
 namespace proveout {
 
-/// A drag of the mouse that turns or moves a camera, as the rows of kNavigation say. Value type.
+/// A mouse drag that orbits or pans a camera, according to the rows of kNavigation. Value type.
 class CameraDrag {
 public:
     void begin(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const QPointF& pixel);
-    /// False where the drag is none of a camera.
+    /// False if the drag does not move the camera.
     bool dragTo(const QPointF& pixel, Camera& camera);
     void end() { m_gesture = Gesture::none; }
     [[nodiscard]] bool isUnderWay() const { return m_gesture != Gesture::none; }
@@ -25,9 +25,9 @@ private:
     QPointF m_last;
 };
 
-/// By a turn of the wheel, in units of QWheelEvent; the point `fixed` keeps its place in the picture.
+/// `angle` is the wheel angle in units of QWheelEvent; the point `fixed` keeps its position in the image.
 void zoomByWheel(Camera& camera, int angle, const Vec3& fixed);
-/// Alt and an arrow turn it; false for every other key.
+/// Alt and an arrow key orbit the camera; false for every other key.
 bool turnByKey(Camera& camera, const QKeyEvent& event);
 
 } // namespace proveout

@@ -15,13 +15,13 @@
 namespace proveout {
 namespace {
 
-/// Of playback and of a slider that is dragged only the last block is cut.
+/// During playback, or while a slider is dragged, only the block where it pauses is cut.
 constexpr int kPause = 120; // ms
 constexpr int kAtOnce = 0;
-constexpr double kCutPart = 0.6;    ///< of the whole work
-constexpr double kLeastStep = 0.02; ///< of progress, worth telling
+constexpr double kCutPart = 0.6;    ///< share of the whole work
+constexpr double kLeastStep = 0.02; ///< smallest change of progress that is reported
 
-/// Exceptions end here, at the boundary of the thread.
+/// Exceptions are caught here, because they must not leave the thread.
 Result<FramePtr> closerOrRefused(const Frame& frame, const BoxOfInterest& box, const WorkContext& context) {
     try {
         return closerFrame(frame, box, context);

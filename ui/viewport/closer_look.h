@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box of interest in the 3D view: which one, what of it is there, and whether that is of the present block.
+// A detail region in the 3D view: its extent, what has been cut of it, and whether that belongs to the
+// current block.
 #pragma once
 
 #include <memory>
@@ -16,39 +17,39 @@
 
 namespace proveout {
 
-/// A box cut and decimated, as a frame of its own; what it was made for is told by its program, set-up and
-/// block. Any thread. Nothing where it was stopped. Errors: those of fineGrid().
+/// A detail region, cut and decimated, as a frame of its own; its program, setup and block identify what it
+/// was computed for. Any thread. Null if it was stopped. Errors: those of fineGrid().
 [[nodiscard]] Result<FramePtr> closerFrame(const Frame& frame, const BoxOfInterest& box,
                                            const WorkContext& context,
                                            double availableBytes = static_cast<double>(memoryLimitBytes()));
 
-/// Cuts the box in the background, anew whenever the frame is another. Thread: UI.
+/// Cuts the detail region in the background, and again whenever the frame changes. Thread: UI.
 class CloserLook : public QObject {
     Q_OBJECT
 
 public:
     explicit CloserLook(QObject* parent = nullptr);
 
-    /// Another box, or another spacing; it is kept until close().
+    /// Sets another box or another spacing; it is kept until close().
     void look(const BoxOfInterest& box);
     void close();
-    /// What the view shows now; null: nothing. A box of another block is not shown, and cut anew once the
-    /// frame stays for a moment.
+    /// Sets the frame in the view; null: none. A region of another block is hidden, and cut again once the
+    /// frame stays the same for a moment.
     void follow(const FramePtr& frame);
-    /// Leaves what is under way; the box is not shown until something changes, or again().
+    /// Cancels the cutting; the region is hidden until something changes or again() is called.
     void cancel();
-    /// Cuts a box that was left.
+    /// Cuts a region that was cancelled.
     void again();
     [[nodiscard]] bool isLeft() const {
         return m_box && m_frame && !m_working && m_refused.empty() && !isCurrent();
     }
 
     [[nodiscard]] const std::optional<BoxOfInterest>& box() const { return m_box; }
-    /// Of the frame that is followed; null while there is none.
+    /// The region for the current frame; null while there is none.
     [[nodiscard]] FramePtr picture() const { return isCurrent() ? m_fine : nullptr; }
     [[nodiscard]] bool working() const { return m_working; }
     [[nodiscard]] double done() const { return m_done; } ///< in [0, 1]
-    /// How it stands, in words; translated.
+    /// The state in words; translated.
     [[nodiscard]] QString status() const;
 
 signals:
@@ -63,12 +64,12 @@ private:
     std::optional<BoxOfInterest> m_box;
     FramePtr m_frame;
     FramePtr m_fine;
-    double m_seconds = 0; ///< that m_fine took
+    double m_seconds = 0; ///< duration of cutting m_fine
     Diagnostics m_refused;
-    bool m_working = false; ///< under way, or soon
+    bool m_working = false; ///< running or about to start
     double m_done = 0;
     QTimer m_pause;
-    NewestTask m_task; ///< last: its thread ends before what it posts to
+    NewestTask m_task; ///< last member: its thread must end before what it posts to is destroyed
 };
 
 } // namespace proveout

@@ -36,7 +36,7 @@ QDoubleSpinBox* lengthBox(QWidget* parent, double least, double most, int decima
     return box;
 }
 
-/// Leaves what is being typed alone while the value stays.
+/// Keeps text that is being typed as long as the value is the same.
 void showLength(QDoubleSpinBox& box, double value) {
     const QSignalBlocker quiet(box);
     if (std::abs(box.value() - value) > 0.5 * std::pow(0.1, box.decimals()))
@@ -76,7 +76,7 @@ CloserLookForm::CloserLookForm(CloserLook& look, QWidget* parent)
     layout->addWidget(m_close, 1, 2, Qt::AlignRight);
     layout->addWidget(m_progress, 2, 0, 1, 2);
     layout->addWidget(m_cancel, 2, 2, Qt::AlignRight);
-    layout->addWidget(m_again, 2, 2, Qt::AlignRight); // one of the two is shown
+    layout->addWidget(m_again, 2, 2, Qt::AlignRight); // only one of the two is shown
     layout->addWidget(m_status, 3, 0, 1, 3);
     for (QDoubleSpinBox* box : {m_width, m_depth, m_spacing})
         connect(box, &QDoubleSpinBox::valueChanged, this, &CloserLookForm::edited);
@@ -131,7 +131,8 @@ void CloserLookForm::showState() {
     m_cancel->setVisible(m_look.working());
     m_again->setVisible(m_look.isLeft());
     m_status->setText(m_look.status());
-    // Of the layout of now, not of the next turn of the event loop: the view places the form by its size.
+    // Updates the layout immediately and not in the next event loop turn, because the view positions the form
+    // by its size.
     layout()->activate();
     adjustSize();
 }

@@ -12,20 +12,20 @@ class QToolButton;
 
 namespace proveout {
 
-/// Size and spacing of the box of interest, and how its cut stands: a small form over the 3D view.
+/// Size and spacing of the detail region, and the state of its cutting: a small form over the 3D view.
 class CloserLookForm final : public QFrame {
     Q_OBJECT
 
 public:
     CloserLookForm(CloserLook& look, QWidget* parent);
 
-    /// The size that the form stands at, mm: of the box, or of one that a click makes.
+    /// The size in the form, mm: of the detail region, or of one that a click would create.
     [[nodiscard]] Vec2 size() const;
-    /// The spacing that the form stands at, mm.
+    /// The spacing in the form, mm.
     [[nodiscard]] double spacing() const;
 
 signals:
-    /// Another size or spacing: the box is to keep its middle.
+    /// Size or spacing has changed: the region must keep its centre.
     void edited();
     void closed();
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFormMargin = 10; ///< px
 constexpr double kLineWidth = 2;
 
-/// Whether all of a box is in front of the eye of a camera.
+/// Whether the whole box is in front of the camera's eye.
 bool isInFront(const Camera& camera, const PlanBox& box, const StockBox& stock) {
     const Vec3 eye = camera.eye();
     const Vec3 forward = camera.target() - eye;
@@ -97,7 +97,7 @@ void DetailChoice::paintChosen(QPainter& painter, const Camera& camera) const {
     painter.drawPolygon(outlineOf(box, m_choice->level(), camera));
 }
 
-/// From the top of the stock to its floor.
+/// Draws the box from the top of the stock to its floor.
 void DetailChoice::paintUnderWay(QPainter& painter, const Camera& camera) const {
     const PlanBox& box = m_look.box()->box;
     const StockBox& stock = m_frame->zmap.stock();

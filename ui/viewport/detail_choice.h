@@ -16,37 +16,38 @@ namespace proveout {
 
 class CloserLookForm;
 
-/// How the user chooses a detail region in a view: by a drag or a click on the stock, then by the numbers of
+/// Lets the user choose a detail region in a view: by a drag or a click on the stock, then by the numbers in
 /// a small form over the view. Thread: UI.
 class DetailChoice final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive this object.
+    /// Both must outlive this object.
     DetailChoice(CloserLook& look, QWidget& view);
 
     /// Shows the form.
     void open();
-    /// Ends the choice and the detail region; the view has the focus if the form had it.
+    /// Ends the choice and closes the detail region; if the form had the focus, the view gets it.
     void close();
-    /// The view has another size.
+    /// Positions the form after the view was resized.
     void place();
 
-    /// A drag begins at that pixel, if its ray meets the stock. There is a frame.
+    /// Starts a drag at that pixel if its ray hits the stock. There must be a frame.
     void begin(const Vec2& pixel, const Ray& ray);
     void dragTo(const Vec2& pixel, const Ray& ray) { m_choice->dragTo(pixel, ray); }
-    /// The drag ends: its box is the detail region.
+    /// Ends the drag: its box becomes the detail region.
     void finish();
-    /// A drag is under way.
+    /// Whether a drag is in progress.
     [[nodiscard]] bool isDragged() const { return m_choice.has_value(); }
 
-    /// What is shown; the detail region lies in its stock. May be null.
+    /// Sets the displayed frame, in whose stock the detail region is. May be null.
     void follow(const FramePtr& frame) { m_frame = frame; }
-    /// The box that is dragged and, until the detail region is `shown`, where it will be. There is a frame.
+    /// Draws the box that is dragged and, until the detail region is `shown`, the box of that region. There
+    /// must be a frame.
     void paint(QPainter& painter, const Camera& camera, const QColor& colour, bool shown) const;
 
 signals:
-    /// The user closes the form.
+    /// The user has closed the form.
     void closeWanted();
 
 private:
@@ -59,7 +60,7 @@ private:
     QWidget& m_view;
     CloserLookForm* m_form;
     FramePtr m_frame;
-    std::optional<BoxChoice> m_choice; ///< while it is dragged
+    std::optional<BoxChoice> m_choice; ///< during a drag
 };
 
 } // namespace proveout

@@ -38,7 +38,7 @@ void ForeignNotice::showState() {
         return;
     m_readAs->setText(tr("Read As"));
     m_readAs->setToolTip(tr("Choose the dialect of the program"));
-    const Diagnostic& problem = m_session.program().current()->diagnostics().front(); // its only one
+    const Diagnostic& problem = m_session.program().current()->diagnostics().front(); // the only one
     showText(QStringLiteral("error"), sentence(problem) + u' ' + hint(problem));
 }
 

@@ -11,8 +11,8 @@ namespace proveout {
 
 class Session;
 
-/// Says over the view why nothing is shown of a text that is no program of ours, and offers to read it in a
-/// dialect that the user chooses. Hidden else.
+/// A notice over the view that explains why an unsupported text is not shown, and offers to read it in a
+/// dialect that the user chooses. Otherwise hidden.
 class ForeignNotice final : public ViewNotice {
     Q_OBJECT
 

@@ -30,10 +30,10 @@ struct Entry {
     QColor colour;
     QString text;
     double width = 2;
-    bool onMetal = false; ///< a line that is dark because it lies on the stock
+    bool onMetal = false; ///< a dark line, because it is drawn on the stock
 };
 
-/// About what the stock looks like in the light.
+/// About the colour of the lit stock.
 constexpr QColor kMetal(0xB8, 0xBC, 0xC4);
 
 std::vector<Entry> entries(const SceneOptions& options, const LegendFigures& figures) {
@@ -104,7 +104,7 @@ void paintAxes(QPainter& painter, const QRect& area, const View& view, const QCo
     std::array axes{Axis{"X", {1, 0, 0}, QColor(0xD5, 0x3E, 0x2A)},
                     Axis{"Y", {0, 1, 0}, QColor(0x2E, 0x9E, 0x4F)},
                     Axis{"Z", {0, 0, 1}, QColor(0x2F, 0x7F, 0xE0)}};
-    // The farthest one first.
+    // Starts with the farthest one.
     std::ranges::sort(axes, {}, [&](const Axis& axis) { return glm::dot(axis.direction, view.back); });
     const QPointF origin(area.left() + kMargin + 44, area.bottom() - kMargin - 44);
     for (const Axis& axis : axes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written over the 3D picture: axes, legend, notices. Painted inside paintGL, because every other
-// repaint in a window with a QOpenGLWidget composes the whole window again.
+// The overlay of the 3D view: axes, legend, notices. Painted in paintGL, because every other repaint in a
+// window with a QOpenGLWidget composes the whole window again.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace proveout {
 
-/// What the legend tells of a frame.
+/// The figures of a frame that the legend shows.
 struct LegendFigures {
     std::size_t faces = 0;
     std::size_t facesFull = 0;
@@ -25,11 +25,11 @@ struct LegendFigures {
 /// The three axes as arrows with letters in the lower left corner of `area`.
 void paintAxes(QPainter& painter, const QRect& area, const View& view, const QColor& text);
 
-/// The legend of everything that `options` show, in the upper left corner of `area`.
+/// The legend for everything that `options` enable, in the upper left corner of `area`.
 void paintLegend(QPainter& painter, const QRect& area, const SceneOptions& options,
                  const LegendFigures& figures, const QPalette& palette);
 
-/// A sentence in the middle of `area`.
+/// A message in the middle of `area`.
 void paintNotice(QPainter& painter, const QRect& area, const QString& text, const QPalette& palette);
 
 } // namespace proveout

@@ -10,7 +10,7 @@ namespace proveout {
 
 enum class Gesture : std::uint8_t { none, orbit, pan };
 
-/// Which drag does what: one row a combination of button and modifiers.
+/// What a drag does: one row per combination of button and modifiers.
 struct NavigationRule {
     Qt::MouseButton button;
     Qt::KeyboardModifiers modifiers;

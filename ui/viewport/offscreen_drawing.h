@@ -9,14 +9,14 @@ class QThread;
 
 namespace proveout {
 
-/// Draws frames with the viewport's own renderer into a picture that nobody sees, and tells what that took.
-/// Needs a display. Made and destroyed on the GUI thread; used there, or on the thread that it was moved to
-/// until end() is called on that one.
+/// Draws frames with the viewport's renderer into an invisible image and measures the cost. Needs a display.
+/// Created and destroyed on the GUI thread; used there, or on the thread that it was moved to until end() is
+/// called on that thread.
 class OffscreenDrawing final : public DrawCost {
 public:
-    /// Pictures of width × height pixels, the stock seen from its corner and filling them. Errors: no
-    /// OpenGL 3.3.
-    /// `thread`: the one that draws; null for the calling one.
+    /// Images of width × height pixels that the stock fills, seen from a corner. Errors: OpenGL 3.3 is not
+    /// available.
+    /// `thread`: the thread that draws; null for the calling one.
     [[nodiscard]] static Result<std::unique_ptr<DrawCost>> create(int width, int height,
                                                                   QThread* thread = nullptr);
     ~OffscreenDrawing() override;

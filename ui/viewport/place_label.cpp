@@ -7,7 +7,7 @@
 namespace proveout {
 namespace {
 
-constexpr QPoint kBeside(18, 22); ///< px from the pointer, clear of its arrow
+constexpr QPoint kBeside(18, 22); ///< px from the pointer, so that its arrow does not cover the text
 constexpr int kPadding = 4;
 
 } // namespace

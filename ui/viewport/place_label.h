@@ -5,15 +5,15 @@
 
 namespace proveout {
 
-/// A text beside the pointer, in a window of its own: changing it paints nothing of the main window. It takes
-/// neither focus nor mouse. Thread: UI.
+/// A text next to the pointer in a window of its own, so that changing it does not repaint the main window.
+/// It accepts neither focus nor mouse events. Thread: UI.
 class PlaceLabel : public QLabel {
     Q_OBJECT
 
 public:
     explicit PlaceLabel(QWidget* parent);
 
-    /// Beside a point of the screen, on the side where there is room.
+    /// Shows the text next to a point of the screen, on a side with enough space.
     void showAt(const QPoint& pointer, const QString& text);
 };
 

@@ -17,27 +17,27 @@ class PlaceLabel;
 class Session;
 class SurfaceProbe;
 
-/// The point of the stock under the pointer: a SurfaceProbe follows it in the ticks of the session, and a
-/// label beside the pointer shows it. Thread: UI.
+/// The point of the stock under the pointer: a SurfaceProbe is updated in the ticks of the session, and a
+/// label next to the pointer shows the result. Thread: UI.
 class PointerPlace final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive this object.
+    /// Both must outlive this object.
     PointerPlace(Session& session, QWidget& view);
 
-    /// The pointer is there, in the coordinates of the view.
+    /// The pointer has moved to this position in view coordinates.
     void hover(const QPointF& position);
     void leave();
-    /// Another point of the stock may be under the pointer: probe() is due with the next tick, as the status
-    /// line shows it too.
+    /// The point under the pointer may have changed: probe() is needed with the next tick, when the status
+    /// line is updated too.
     void probeAgain();
-    /// In a tick. The frames are those of pickSurface(). `busy`: a gesture is under way, so that the label is
-    /// in its way.
+    /// Call it in a tick. The frames are those of pickSurface(). `busy`: a gesture is in progress, so the
+    /// label stays hidden.
     void probe(const FramePtr& whole, const FramePtr& closer, const Camera& camera, bool busy);
     void hideLabel();
 
-    /// Whether the label is shown at all.
+    /// Whether the user wants the label.
     [[nodiscard]] bool labelShown() const { return m_labelShown; }
     void setLabelShown(bool shown);
 

@@ -14,11 +14,11 @@ namespace proveout {
 namespace {
 
 constexpr int kRestMilliseconds = 250;
-/// What a detail region may take of the UI thread at once to go to the graphics side.
+/// The longest time for which one upload of a detail region may block the UI thread.
 constexpr std::chrono::milliseconds kUploadAtOnce{25};
-/// A smoothed picture in software takes about this many times as long as a plain one …
+/// In software, an antialiased image takes about this many times as long as a plain one …
 constexpr double kSmoothCost = 4;
-/// … and must not hold up the window longer than this.
+/// … and must not block the window for longer than this.
 constexpr double kLongestSmoothSeconds = 0.25;
 
 double seconds(const QElapsedTimer& timer) {
@@ -45,8 +45,8 @@ ScenePicture::~ScenePicture() {
 }
 
 void ScenePicture::initialize() {
-    // The context goes when the widget moves to another window or the driver resets it; a new one comes with
-    // another call of this function.
+    // The context is destroyed when the widget moves to another window or the driver resets it; this function
+    // is called again for the new one.
     connect(m_widget.context(), &QOpenGLContext::aboutToBeDestroyed, this, &ScenePicture::release);
     m_renderer = SceneRenderer::create();
 }
@@ -73,7 +73,7 @@ ScenePicture::Seconds ScenePicture::paint(const View& view, const FramePtr& fram
     QElapsedTimer timer;
     timer.start();
     upload(frame);
-    // Waiting for the end costs nothing at 30 pictures a second and makes the figures honest.
+    // Waiting for the GPU costs nothing at 30 frames per second and makes the measured times reliable.
     m_renderer->finish();
     took.upload = seconds(timer);
     timer.restart();
@@ -119,7 +119,7 @@ void ScenePicture::drawSmooth(const View& view) {
     m_renderer->copyPicture(m_smoothTarget->handle(), m_widget.defaultFramebufferObject(), view.pixels);
 }
 
-/// Between the events of the window, and without a picture that shows nothing new.
+/// Uploads in slices between the window's events, and repaints only when there is something new to show.
 void ScenePicture::continueUploading() {
     if (m_renderer == nullptr)
         return;
@@ -139,7 +139,7 @@ bool ScenePicture::showsHiddenPath() const {
     return m_options.pathThroughStock && m_options.path != PathShown::none;
 }
 
-/// What a picture waits for without holding up the window.
+/// Whether work is pending that the image needs and that is done in slices.
 bool ScenePicture::workPending() const {
     return m_renderer->boxPending() || (showsHiddenPath() && m_renderer->pathPending());
 }

@@ -18,43 +18,43 @@ namespace proveout {
 
 class CloserLook;
 
-/// The scene as a widget draws it: uploads it, draws it, goes on uploading between the events of the window,
-/// and draws a better picture once nothing changes. Owns everything of the GL context. Thread: UI.
+/// The scene as a widget draws it: uploads it, draws it, continues uploading between the window's events, and
+/// draws a better image once nothing changes. Owns all resources of the GL context. Thread: UI.
 class ScenePicture final : public QObject {
     Q_OBJECT
 
 public:
-    /// What a picture took.
+    /// The cost of an image.
     struct Seconds {
         double upload = 0;
         double draw = 0;
     };
 
-    /// All arguments outlive this object; `look` and `options` are read whenever something is drawn.
-    /// `software`: no graphics hardware draws.
+    /// All arguments must outlive this object; `look` and `options` are read on every draw. `software`:
+    /// rendering is done in software.
     ScenePicture(QOpenGLWidget& widget, const CloserLook& look, const SceneOptions& options, bool software);
     ~ScenePicture() override;
 
-    /// In initializeGL(), for a new context.
+    /// Call it in initializeGL(), for a new context.
     void initialize();
-    /// Makes the context current and gives back what it has.
+    /// Makes the context current and frees its resources.
     void release();
-    /// In paintGL(). `frame` may be null.
+    /// Call it in paintGL(). `frame` may be null.
     Seconds paint(const View& view, const FramePtr& frame);
-    /// Something else is to be drawn.
+    /// Call it when the content has changed.
     void repaintSoon();
-    /// The widget has another size: its next picture is a plain one.
+    /// The widget was resized: its next image is a plain one.
     void resized() { m_smooth = false; }
 
-    /// Whether the shaders were compiled.
+    /// Whether the shaders were compiled successfully.
     [[nodiscard]] bool isUsable() const { return m_renderer != nullptr; }
     [[nodiscard]] bool gridFits() const { return m_renderer->gridFits(); }
     [[nodiscard]] bool boxFits() const { return m_boxFits; }
-    /// Part of the detail region is not uploaded yet.
+    /// Whether part of the detail region is not uploaded yet.
     [[nodiscard]] bool boxPending() const { return m_renderer->boxPending(); }
-    /// Uploads of the last picture.
+    /// The uploads of the last image.
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
-    /// No better picture of what is shown is due.
+    /// Whether no better image of the current content is pending.
     [[nodiscard]] bool atRest() const { return !m_rest.isActive(); }
 
 private:
@@ -74,8 +74,8 @@ private:
     UploadCounts m_uploaded;
     bool m_boxFits = true;
     QTimer m_uploading;    ///< runs while a detail region or a long toolpath is prepared
-    QTimer m_rest;         ///< the picture has not changed for a moment
-    bool m_smooth = false; ///< draw with smoothed edges, although software takes long for it
+    QTimer m_rest;         ///< starts again whenever the image changes
+    bool m_smooth = false; ///< draw antialiased, although that is slow in software
     double m_plainSeconds = 0;
 };
 

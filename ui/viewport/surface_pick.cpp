@@ -13,7 +13,7 @@ struct Interval {
     double to;
 };
 
-/// The part of a ray inside of the box [lo, hi]; empty where from > to.
+/// The part of a ray inside the box [lo, hi]; empty if from > to.
 Interval clip(const Ray& ray, const Vec3& lo, const Vec3& hi) {
     Interval inside{0, std::numeric_limits<double>::infinity()};
     for (int axis = 0; axis < 3; ++axis) {
@@ -32,7 +32,7 @@ Interval clip(const Ray& ray, const Vec3& lo, const Vec3& hi) {
     return inside;
 }
 
-/// The ray in grid units: x and y count cells, z is height above the floor, mm.
+/// Follows a ray in grid units: x and y count cells, z is the height above the floor in mm.
 class Walk {
 public:
     Walk(const ZMapSnapshot& zmap, const Ray& ray) : m_zmap(zmap) {
@@ -42,7 +42,7 @@ public:
         m_ray.direction = {ray.direction.x / grid.hx, ray.direction.y / grid.hy, ray.direction.z};
     }
 
-    /// The parameter of the first hit.
+    /// The ray parameter of the first hit.
     [[nodiscard]] std::optional<double> firstHit() const {
         const Grid& grid = m_zmap.grid();
         const Interval box =
@@ -51,7 +51,7 @@ public:
             return std::nullopt;
         const Vec3 entry = at(box.from);
         if (inside(entry))
-            return box.from; // A wall or the underside.
+            return box.from; // a wall or the underside
         return walk(box);
     }
 
@@ -66,7 +66,7 @@ private:
         return std::clamp(static_cast<int>(std::floor(coordinate)), 0, points - 2);
     }
 
-    /// Height of the canonical surface at a point of the plane.
+    /// Height of the canonical surface at a point in plan.
     [[nodiscard]] double surface(double x, double y) const {
         const int i = cellOf(x, m_zmap.grid().nx);
         const int j = cellOf(y, m_zmap.grid().ny);
@@ -87,8 +87,9 @@ private:
         return top > 1e-9 && point.z <= top;
     }
 
-    /// Cell by cell. In one cell the surface is two planes, so the ray's height above it is linear on either
-    /// side of the diagonal: the ends and the diagonal's crossing tell all.
+    /// Visits cell by cell. In one cell the surface consists of two planes, so the ray's height above it is
+    /// linear on each side of the diagonal: checking both ends and the crossing of the diagonal is
+    /// sufficient.
     [[nodiscard]] std::optional<double> walk(const Interval& box) const {
         double t = box.from;
         const int limit = 2 * (m_zmap.grid().nx + m_zmap.grid().ny) + 8;
@@ -106,7 +107,7 @@ private:
         return std::nullopt;
     }
 
-    /// Where the ray leaves the cell along an axis.
+    /// The ray parameter at which the ray leaves the cell along an axis.
     [[nodiscard]] double crossing(int axis, int cell) const {
         const double step = m_ray.direction[axis];
         if (std::abs(step) < 1e-15)
@@ -134,7 +135,7 @@ private:
             if (atA > 0 && atB <= 0) {
                 const double t = a + (b - a) * atA / (atA - atB);
                 const Vec3 point = at(t);
-                if (point.z > 1e-9) // Else the floor of a hole.
+                if (point.z > 1e-9) // otherwise the floor of a hole
                     return t;
             }
         }
@@ -157,7 +158,7 @@ std::optional<Vec3> pickStock(const ZMapSnapshot& zmap, const Ray& ray) {
 }
 
 std::optional<MapPoint> mapPointAt(const ZMapSnapshot& zmap, const Vec3& place) {
-    constexpr double kLevel = 1e-6; // mm, of rounding
+    constexpr double kLevel = 1e-6; // mm, for rounding errors
     const Grid& grid = zmap.grid();
     const int i0 = std::clamp(static_cast<int>(std::floor((place.x - grid.x0) / grid.hx)), 0, grid.nx - 2);
     const int j0 = std::clamp(static_cast<int>(std::floor((place.y - grid.y0) / grid.hy)), 0, grid.ny - 2);

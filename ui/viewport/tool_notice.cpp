@@ -17,7 +17,7 @@ namespace proveout {
 
 namespace {
 
-/// Whether any motion of the program has a cutter.
+/// Whether any motion of the program has a defined cutter.
 bool cutsAnything(const Session& session) {
     const ToolChoice choice = toolChoice(session);
     const auto runs = session.program().current()->toolRuns();

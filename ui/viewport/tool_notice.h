@@ -12,8 +12,8 @@ namespace proveout {
 
 class Session;
 
-/// Says over the view that moves are not simulated because their tools are missing, or that sizes of tools
-/// are not confirmed, and offers what mends it. Hidden where there is nothing to say.
+/// A notice over the view that moves are not simulated because their tools are missing, or that tool sizes
+/// are unconfirmed, with buttons to fix it. Hidden if neither is the case.
 class ToolNotice final : public ViewNotice {
     Q_OBJECT
 
@@ -30,11 +30,11 @@ private:
 
     Session& m_session;
     QPushButton* m_define;
-    QPushButton* m_mend; ///< assume the missing tools, or confirm those that are there
+    QPushButton* m_mend; ///< adds the missing tools with assumed sizes, or confirms the existing ones
     QToolButton* m_close;
-    int m_tool = 0;           ///< that m_define is about
-    bool m_missing = false;   ///< else the notice is about unconfirmed tools
-    bool m_dismissed = false; ///< the user has closed the notice about unconfirmed tools of this document
+    int m_tool = 0;           ///< the tool that m_define defines
+    bool m_missing = false;   ///< false: the notice is about unconfirmed tools
+    bool m_dismissed = false; ///< the user has closed the notice about unconfirmed tools for this document
 };
 
 } // namespace proveout

@@ -9,8 +9,8 @@
 namespace proveout {
 namespace {
 
-constexpr double kFewestCellsShown = 4;       ///< of the grid, across the picture's height
-constexpr double kSmallestShareOfView = 0.05; ///< of the stock in the picture's height
+constexpr double kFewestCellsShown = 4;       ///< of the grid, over the image height
+constexpr double kSmallestShareOfView = 0.05; ///< of the stock in the image height
 constexpr double kStepBack = 1.1;
 constexpr int kMostStepsBack = 100;
 

@@ -25,7 +25,7 @@ ViewNotice::ViewNotice(QWidget* parent)
       m_buttons(new QHBoxLayout) {
     m_text->setObjectName(QStringLiteral("noticeText"));
     m_text->setWordWrap(true);
-    m_text->setTextFormat(Qt::PlainText); // it quotes the user's file
+    m_text->setTextFormat(Qt::PlainText); // the text quotes the user's file
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     m_sentence->addWidget(m_icon, 0, Qt::AlignTop);

@@ -8,8 +8,8 @@ class QLabel;
 
 namespace proveout {
 
-/// A message over the view, with the buttons that mend what it is about. It keeps itself at the lower edge of
-/// its parent, in the middle.
+/// A message over the view, with buttons to fix the problem. It stays centred at the lower edge of its
+/// parent.
 class ViewNotice : public QFrame {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
     explicit ViewNotice(QWidget* parent);
 
 protected:
-    /// The row of the sentence: icon, text, and what else is added.
+    /// The row of the message: icon, text, and further widgets.
     [[nodiscard]] QHBoxLayout& sentenceRow() { return *m_sentence; }
     [[nodiscard]] QHBoxLayout& buttonRow() { return *m_buttons; }
     void showText(const QString& iconName, const QString& text);
@@ -26,7 +26,7 @@ protected:
 
 private:
     QLabel* m_icon;
-    QLabel* m_text; ///< "noticeText"
+    QLabel* m_text; ///< its object name is "noticeText"
     QHBoxLayout* m_sentence;
     QHBoxLayout* m_buttons;
 };

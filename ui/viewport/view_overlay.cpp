@@ -9,7 +9,7 @@
 namespace proveout {
 namespace {
 
-/// What the driver has no room for.
+/// The parts that exceed the limits of the graphics driver.
 void paintOmissions(QPainter& painter, const QRect& area, const OverlayContent& content) {
     if (!content.picture.gridFits())
         paintNotice(painter, area,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a frame is written over its picture.
+// The parts of the overlay that depend on a frame.
 #pragma once
 
 #include <QPainter>
@@ -13,7 +13,7 @@ namespace proveout {
 
 class ScenePicture;
 
-/// What the overlay is about.
+/// The data that the overlay shows.
 struct OverlayContent {
     const ScenePicture& picture;
     const Frame* frame; ///< may be null
@@ -22,7 +22,7 @@ struct OverlayContent {
     const QPalette& palette;
 };
 
-/// Axes, legend, and notices of what the graphics driver could not draw, in `area`.
+/// Axes, legend, and notices about what the graphics driver could not draw, in `area`.
 void paintOverlay(QPainter& painter, const QRect& area, const View& view, const OverlayContent& content);
 
 } // namespace proveout

@@ -23,8 +23,8 @@ QSurfaceFormat formatFor(const GlSupport& support) {
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
-    // Four samples a pixel triple the cost of a picture in software; there, only pictures at rest are
-    // smoothed.
+    // In software, four samples per pixel triple the cost of an image, so only images at rest are antialiased
+    // there.
     format.setSamples(support.software ? 0 : 4);
     return format;
 }
@@ -45,7 +45,7 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     for (QAction* action : m_commands->all()) {
         action->setCheckable(isOn(*this, action->objectName().toStdString()).has_value());
         addAction(action);
-        // A click flips the tick by itself; what is on decides.
+        // A click toggles the check mark by itself; it must show the actual state.
         connect(action, &QAction::triggered, this, &Viewport::followOptions);
     }
     setAccessibleName(tr("3D view"));
@@ -71,10 +71,10 @@ void Viewport::setFrame(const FramePtr& frame) {
         return;
     m_frame = frame;
     if (looksCloser() && (frame == nullptr || frame->zmap.stock() != m_fittedStock))
-        closeLook(); // a box of another stock says nothing
+        closeLook(); // a region of another stock is meaningless
     m_look.follow(frame);
     m_detail->follow(frame);
-    // Another stock comes into the picture as a whole; the same one cut further leaves the view alone.
+    // A new stock is fitted into the view; the same stock after more cuts leaves the view unchanged.
     if (frame != nullptr && !(m_fitted && frame->zmap.stock() == m_fittedStock)) {
         m_fitted = true;
         m_fittedStock = frame->zmap.stock();
@@ -182,7 +182,8 @@ void Viewport::paintGL() {
 }
 
 void Viewport::paintOver(const View& view) {
-    // Not the widget itself: while a window is grabbed, a painter on a widget draws elsewhere.
+    // Not on the widget itself, because while a window is grabbed, a painter on a widget draws to another
+    // device.
     QOpenGLPaintDevice device(QSize(view.pixels.x, view.pixels.y));
     device.setDevicePixelRatio(view.pixelRatio);
     QPainter painter(&device);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stock in 3D: a widget round ui/gl's scene renderer.
+// The stock in 3D: a widget for ui/gl's scene renderer.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@ namespace proveout {
 class DetailChoice;
 class PointerPlace;
 
-/// The 3D view of a session, with its commands as actions() of the widget; where OpenGL is not to be had, a
-/// plain message that stands for it: the rest of the window works on. Owned by `parent`. Thread: UI.
+/// The 3D view of a session, with its commands as actions() of the widget. If OpenGL is not available, a
+/// plain message replaces it and the rest of the window still works. Owned by `parent`. Thread: UI.
 [[nodiscard]] QWidget* createViewport(Session& session, QWidget* parent = nullptr);
-/// The same with a given answer of probeGl().
+/// The same with a given result of probeGl().
 [[nodiscard]] QWidget* createViewport(Session& session, const GlSupport& support, QWidget* parent);
 
-/// Repaints in the session's tick and on the user's gestures only, and tells the session what uploading and
-/// drawing took. A SurfaceProbe among its children follows the pointer, in the same ticks.
+/// Repaints only in the session's tick and on user input, and reports the cost of uploading and drawing to
+/// the session. A child SurfaceProbe follows the pointer in the same ticks.
 class Viewport : public QOpenGLWidget {
     Q_OBJECT
 
@@ -36,29 +36,30 @@ public:
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     [[nodiscard]] const SceneOptions& options() const { return m_options; }
-    /// Takes everything but the colours, which follow the palette.
+    /// Adopts everything except the colours, which follow the palette.
     void setOptions(const SceneOptions& options);
     [[nodiscard]] bool legendShown() const { return m_legend; }
     void setLegendShown(bool shown);
 
-    /// Whether the place under the pointer is told beside it.
+    /// Whether a label next to the pointer shows the position under it.
     [[nodiscard]] bool placeLabelShown() const;
     void setPlaceLabelShown(bool shown);
 
     void setStandardView(StandardView view);
     void setPerspective(bool perspective);
-    /// The stock into the picture; the toolpath where there is no stock.
+    /// Fits the stock into the view, or the toolpath if there is no stock.
     void fit();
-    /// Lets the user choose a box of interest, or closes the one that there is.
+    /// Lets the user choose a detail region, or closes the existing one.
     void toggleCloserLook();
-    /// Lets the user click a place of the stock to go to the block that made it, or no longer.
+    /// Starts or ends the mode in which a click on the stock goes to the block that cut that position.
     void toggleBlockSearch();
-    /// A choice is asked for, or a box is there.
+    /// Whether the user is choosing a detail region, or one exists.
     [[nodiscard]] bool looksCloser() const;
     [[nodiscard]] CloserLook& closerLook() { return m_look; }
-    /// Uploads of the last picture.
+    /// The uploads of the last image.
     [[nodiscard]] const UploadCounts& uploaded() const { return m_picture->uploaded(); }
-    /// No better picture of what is shown is due: it stays until something changes.
+    /// Whether no better image of the current content is pending, so that the image stays until something
+    /// changes.
     [[nodiscard]] bool atRest() const { return m_picture->atRest(); }
 
 protected:
@@ -77,7 +78,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    /// What the next click or drag chooses.
+    /// What the next click or drag selects.
     enum class Choosing : std::uint8_t { nothing, box, place };
 
     void onTick(const FramePtr& frame);
@@ -87,7 +88,7 @@ private:
     void setPicture();
     void moved();
     void repaintSoon() { m_picture->repaintSoon(); }
-    /// There is a stock to be seen and chosen from.
+    /// Whether there is a stock to show and to pick from.
     [[nodiscard]] bool hasStock() const { return m_frame != nullptr && m_frame->zmap.tileCount() > 0; }
     void limitZoom();
     [[nodiscard]] QPointF pixelOf(const QPointF& position) const { return position * devicePixelRatioF(); }
@@ -107,17 +108,17 @@ private:
     bool m_legend = true;
     FramePtr m_frame;
     StockBox m_fittedStock;
-    bool m_fitted = false; ///< m_fittedStock is the one that was fitted
-    bool m_fits = false;   ///< the view is as fit() left it: another size of the widget fits again
+    bool m_fitted = false; ///< m_fittedStock has been fitted
+    bool m_fits = false;   ///< the view is unchanged since fit(), so resizing the widget fits it again
 
     CloserLook m_look;
     Choosing m_choosing = Choosing::nothing;
     DetailChoice* m_detail;
     PointerPlace* m_place;
-    std::unique_ptr<ScenePicture> m_picture; ///< goes before what it draws, and before the context
+    std::unique_ptr<ScenePicture> m_picture; ///< destroyed before its content and the context
 
     CameraDrag m_drag;
-    std::optional<QPointF> m_pressed; ///< where a click has begun that has not become a drag
+    std::optional<QPointF> m_pressed; ///< start of a click that has not become a drag
 
     std::unique_ptr<CommandActions<Viewport>> m_commands;
 };

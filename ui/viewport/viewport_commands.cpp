@@ -101,7 +101,7 @@ const std::array<Command<Viewport>, 25> kCommands{{
      alternate<&SceneOptions::cutter, CutterShown::hidden, CutterShown::solid>},
 }};
 
-/// The commands that are on or off.
+/// The commands that can be turned on and off.
 struct Switch {
     const char* id;
     bool (*on)(const Viewport&);

@@ -10,11 +10,11 @@
 
 namespace proveout {
 
-/// The commands of the 3D view: one row a command.
+/// The commands of the 3D view, one per row.
 [[nodiscard]] std::span<const Command<Viewport>> viewportCommands();
 inline constexpr const char* kViewportCommandContext = "ViewportCommands";
 
-/// For a command that is on or off: whether it is on; empty for the others.
+/// Whether a command that can be turned on is on; empty for other commands.
 [[nodiscard]] std::optional<bool> isOn(const Viewport& viewport, std::string_view id);
 
 } // namespace proveout

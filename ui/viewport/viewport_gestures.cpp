@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What mouse and keys do in the 3D view.
+// Mouse and keyboard input of the 3D view.
 #include <utility>
 
 #include <QApplication>
@@ -18,7 +18,7 @@
 namespace proveout {
 namespace {
 
-/// Whether what begins with it means something if it stays a click. `choosing`: a place is asked for.
+/// Whether this press has a meaning if it stays a click. `choosing`: the user is choosing a position.
 bool mayBeClick(const QMouseEvent& event, bool choosing) {
     if (event.buttons() != event.button())
         return false;
@@ -31,7 +31,7 @@ bool mayBeClick(const QMouseEvent& event, bool choosing) {
 
 } // namespace
 
-// --- from a place to its block
+// --- from a position to its block
 
 void Viewport::toggleBlockSearch() {
     if (m_choosing == Choosing::place)
@@ -51,7 +51,7 @@ void Viewport::openMenu(const QPointF& position) {
     m_place->hideLabel();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    // The command of the menu bar asks for a click; here the place is known.
+    // The command in the menu bar asks for a click; here the position is known.
     const QAction* command = m_commands->find("go-to-block");
     connect(menu->addAction(command->text() + QLatin1Char('\t') + tr("Ctrl+click")), &QAction::triggered,
             this, [this, position] { askWhatMade(position); });
@@ -63,7 +63,7 @@ void Viewport::openMenu(const QPointF& position) {
 }
 
 void Viewport::contextMenuEvent(QContextMenuEvent* event) {
-    // Of the mouse a click opens it, not the press that may become a drag.
+    // With the mouse, a click opens it and not the press, because that may become a drag.
     if (event->reason() != QContextMenuEvent::Mouse)
         openMenu(event->pos());
     event->accept();
@@ -79,7 +79,7 @@ void Viewport::hideEvent(QHideEvent* event) {
     QOpenGLWidget::hideEvent(event);
 }
 
-// --- the user's gestures
+// --- user input
 
 Ray Viewport::rayAt(const QPointF& position) const {
     const QPointF pixel = pixelOf(position);

@@ -8,8 +8,8 @@
 namespace proveout {
 namespace {
 
-/// Stands for the 3D view where there is no OpenGL. The session still hears of frames, so that paper mode
-/// goes on.
+/// Replaces the 3D view if there is no OpenGL. It still reports frames as drawn to the session, so that paper
+/// mode continues.
 class ViewportMessage : public QLabel {
 public:
     ViewportMessage(Session& session, const QString& reason, QWidget* parent) : QLabel(reason, parent) {

@@ -6,10 +6,10 @@
 
 namespace proveout {
 
-/// Version, licence, the paper, and what draws.
+/// Version, licence, the paper, and the graphics driver.
 void showAbout(QWidget& window);
 
-/// All keys of the menus, in a window of its own that does not block.
+/// Lists all shortcuts of the menus in a separate, non-modal window.
 void showShortcutList(QWidget& window, const QMenuBar& menus);
 
 } // namespace proveout

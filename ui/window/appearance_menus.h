@@ -11,16 +11,16 @@
 
 namespace proveout {
 
-/// The menus to choose theme and language from; their owner sets their titles. Thread: UI.
+/// The menus for choosing theme and language; their owner sets the titles. Thread: UI.
 class AppearanceMenus final : public QObject {
     Q_OBJECT
 
 public:
-    /// `appearance` outlives this object. The menus belong to the window of `parent`.
+    /// `appearance` must outlive this object. The menus belong to the window of `parent`.
     AppearanceMenus(Appearance& appearance, QWidget* parent);
     [[nodiscard]] QMenu& theme() { return *m_theme; }
     [[nodiscard]] QMenu& language() { return *m_language; }
-    /// After a change of language or theme.
+    /// Call it after a change of language or theme.
     void fill();
 
 private:
@@ -29,7 +29,7 @@ private:
     Appearance& m_appearance;
     QMenu* m_theme;
     QMenu* m_language;
-    QActionGroup* m_themes; ///< child of its menu, as the next one
+    QActionGroup* m_themes; ///< a child of its menu, like the next one
     QActionGroup* m_languages;
 };
 

@@ -29,7 +29,7 @@ CheckpointMenu::CheckpointMenu(Session& session, QWidget* parent)
         m_session.playback().setCheckpointBudget(kept.toULongLong() * kMegabyte);
 }
 
-/// Each time that it is shown: the language may be another.
+/// Filled each time it is shown, because the language may have changed.
 void CheckpointMenu::fill() {
     clear();
     const std::size_t present = QSettings().value(kKey, static_cast<qulonglong>(kDefault)).toULongLong();

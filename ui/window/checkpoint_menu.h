@@ -9,12 +9,12 @@ class QActionGroup;
 
 namespace proveout {
 
-/// How much memory the simulation may keep to go back quickly; kept in the settings.
+/// The choice of how much memory the simulation may use for checkpoints; stored in the settings.
 class CheckpointMenu final : public QMenu {
     Q_OBJECT
 
 public:
-    /// The session outlives the menu.
+    /// The session must outlive the menu.
     CheckpointMenu(Session& session, QWidget* parent);
 
 private:

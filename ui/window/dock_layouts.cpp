@@ -11,16 +11,16 @@ namespace proveout {
 
 namespace {
 
-// Of the window's width. The view in the middle never gets less than what these leave.
+// Shares of the window's width. The view in the middle always keeps the rest.
 constexpr double kNarrowestLeft = 0.20;
 constexpr double kWidestLeft = 0.34;
-constexpr double kRight = 0.15; // where the content does not need more
+constexpr double kRight = 0.15; // unless the content needs more
 
 QDockWidget* dockNamed(const QMainWindow& window, const char* id) {
     return window.findChild<QDockWidget*>(QLatin1String(id));
 }
 
-/// Puts the docks of a place as tabs behind `first`, which is there already.
+/// Adds docks as tabs behind `first`, which is already in its place.
 void addTabs(QMainWindow& window, const DockTabs& tabs) {
     for (std::size_t i = 1; i < tabs.size(); ++i) {
         window.tabifyDockWidget(dockNamed(window, tabs[i - 1]), dockNamed(window, tabs[i]));
@@ -40,12 +40,12 @@ void fillArea(QMainWindow& window, Qt::DockWidgetArea area, const std::vector<Do
             window.splitDockWidget(above, first, Qt::Vertical);
         above = first;
     }
-    // Tabs come last: a split of docks that are tabs would take the wrong place.
+    // Tabs come last, because splitting tabbed docks would split the wrong area.
     for (const DockTabs& tabs : places)
         addTabs(window, tabs);
 }
 
-/// How wide the docks of a column must be to show all of their content.
+/// The width at which the docks of a column show all of their content.
 int neededWidth(const QMainWindow& window, const std::vector<DockTabs>& places) {
     int widest = 0;
     for (const DockTabs& tabs : places)
@@ -137,8 +137,8 @@ int leftDockWidth(int windowWidth, int wanted) {
 }
 
 void arrangeDocks(QMainWindow& window, const DockLayout& layout) {
-    // From nothing: docks beside others on their way would need more width than the window has, and it would
-    // keep it.
+    // Starts without docks: intermediate arrangements could require more width than the window has, and the
+    // window would stay that wide.
     for (const std::vector<DockTabs>* area : {&layout.left, &layout.right, &layout.bottom})
         for (const DockTabs& tabs : *area)
             for (const char* id : tabs)

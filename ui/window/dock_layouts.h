@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the docks are: one row a layout, read by the Layout menu, the main window and tests.
+// The arrangement of the docks: one row per layout, used by the Layout menu, the main window and tests.
 #pragma once
 
 #include <cstdint>
@@ -13,40 +13,42 @@
 
 namespace proveout {
 
-/// Docks (by objectName) that share a place as tabs; the first one is in front.
+/// Docks (by objectName) that share an area as tabs; the first one is in front.
 using DockTabs = std::vector<const char*>;
 
-/// A side of the view in the middle.
+/// A side of the central view.
 enum class DockArea : std::uint8_t { left, right, bottom };
 
-/// One arrangement of the window. Static data.
+/// One arrangement of the window's docks. Static data.
 struct DockLayout {
-    const char* id; ///< kept in the settings, and the objectName of its action behind "layout-"
+    const char* id; ///< stored in the settings; also the objectName of its action, after "layout-"
     const char* title;
     const char* tip;
-    std::vector<DockTabs> left; ///< columns from the top down
+    std::vector<DockTabs> left; ///< columns from top to bottom
     std::vector<DockTabs> right;
-    std::vector<DockTabs> bottom; ///< rows over the whole width, from the top down
-    PlayBy playBy;                ///< what the speed of playback counts
-    double speed;                 ///< times unitSpeed(playBy)
-    /// Share of the window's height of all rows at the bottom but the last, which has its own height.
+    std::vector<DockTabs> bottom; ///< rows over the full width, from top to bottom
+    PlayBy playBy;                ///< the unit of the playback speed
+    double speed;                 ///< a multiple of unitSpeed(playBy)
+    /// Share of the window's height for all rows at the bottom except the last, which has a height of its
+    /// own.
     double bottomShare;
 };
 
-/// The first one is that of a new user.
+/// The first one is the default for new users.
 [[nodiscard]] std::span<const DockLayout> dockLayouts();
-/// The layout with this id; the first one where there is none.
+/// The layout with this id, or the first one if there is no such layout.
 [[nodiscard]] const DockLayout& dockLayout(std::string_view id);
 
-/// Names a dock in a layout that does not: as the last tab of the first place of `area`. `id` is static data.
+/// Adds a dock to a layout that does not contain it, as the last tab of the first place of `area`. `id` is
+/// static data.
 void placeUnnamed(DockLayout& layout, const char* id, DockArea area);
 
-/// Puts the docks that the layout names where it has them, all shown. Sizes follow from the window's own: it
-/// must have its size.
+/// Arranges and shows the docks that the layout names. Sizes depend on the size of the window, which must be
+/// set already.
 void arrangeDocks(QMainWindow& window, const DockLayout& layout);
 
-/// The width that the leftmost docks get in a window of `windowWidth`, where the widest content of them
-/// wants `wanted`. Pixels.
+/// The width of the leftmost docks in a window of `windowWidth`, if their widest content needs `wanted`.
+/// Pixels.
 [[nodiscard]] int leftDockWidth(int windowWidth, int wanted);
 
 } // namespace proveout

@@ -21,7 +21,7 @@ constexpr int kGripMargin = 4;
 constexpr int kDotGap = 4;
 constexpr int kMostDots = 12;
 
-/// What a dock is dragged by where its title is a tab.
+/// The handle for dragging a dock whose title is a tab.
 class DockGrip final : public QWidget {
 public:
     explicit DockGrip(QDockWidget& dock) : QWidget(&dock) {
@@ -97,7 +97,7 @@ DockTitles::DockTitles(QMainWindow& window, std::vector<QDockWidget*> docks)
 }
 
 bool DockTitles::eventFilter(QObject* watched, QEvent* event) {
-    // A layout that is restored moves docks without a signal.
+    // Restoring a layout moves docks without a signal.
     if (event->type() == QEvent::Move || event->type() == QEvent::Show || event->type() == QEvent::Hide)
         m_soon.start(0);
     return QObject::eventFilter(watched, event);
@@ -119,7 +119,7 @@ void DockTitles::update() {
             continue;
         dock->setTitleBarWidget(tab ? new DockGrip(*dock) : nullptr);
         if (!tab)
-            grip->deleteLater(); // a button of it may be what has led here
+            grip->deleteLater(); // this may be called by one of its buttons
     }
 }
 

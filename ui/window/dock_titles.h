@@ -10,14 +10,14 @@
 
 namespace proveout {
 
-/// One title a dock: one that is a tab has its title there, and over it a strip to drag it by, with the
-/// buttons to float and to close it; one that stands alone has the title bar of the style.
-/// Thread: UI. `docks` live as long as this object.
+/// Gives each dock exactly one title: a tabbed dock has its title on the tab, and above it a handle with the
+/// buttons to float and to close it; a dock that is not tabbed has the style's title bar.
+/// Thread: UI. `docks` must live as long as this object.
 class DockTitles final : public QObject {
     Q_OBJECT
 
 public:
-    /// Watches docks of `window`; those with a title bar of their own must not be among them.
+    /// Watches docks of `window`; do not include docks with a title bar of their own.
     DockTitles(QMainWindow& window, std::vector<QDockWidget*> docks);
 
 protected:
@@ -29,7 +29,7 @@ private:
 
     QMainWindow& m_window;
     std::vector<QDockWidget*> m_docks;
-    QTimer m_soon; ///< docks tell of a change before all of them are where they go
+    QTimer m_soon; ///< docks report a change before all of them have been moved
 };
 
 } // namespace proveout

@@ -18,7 +18,7 @@ QString documentTitle(const Session& session) {
     const bool jobModified = session.document().jobModified();
     QString name = documentName(session);
     if (session.document().text().modified || !jobModified)
-        name += QLatin1String("[*]"); // without a place for it QWidget complains
+        name += QLatin1String("[*]"); // QWidget prints a warning if the title has no [*]
     QString job = QFileInfo(session.document().jobFile()).fileName();
     if (jobModified)
         job = (job.isEmpty() ? QCoreApplication::translate("DocumentTitle", "setup") : job) +

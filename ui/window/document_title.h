@@ -7,11 +7,11 @@
 
 namespace proveout {
 
-/// "bracket.nc", or what a program without a file is called.
+/// "bracket.nc", or the name of a program without a file.
 [[nodiscard]] QString documentName(const Session& session);
 
-/// "bracket.nc (bracket.proveout) – Proveout". The mark [*] of QWidget::setWindowTitle() is behind what is
-/// not saved: the program, its job, or the setup that is in no job.
+/// "bracket.nc (bracket.proveout) – Proveout". The placeholder [*] of QWidget::setWindowTitle() follows what
+/// has unsaved changes: the program, its job, or the setup that is in no job.
 [[nodiscard]] QString documentTitle(const Session& session);
 
 } // namespace proveout

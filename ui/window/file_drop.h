@@ -9,13 +9,13 @@ namespace proveout {
 
 class FileFlow;
 
-/// Opens the file that is dropped on a window; while it is dragged over it, the status bar says why it cannot
-/// be opened. Thread: UI.
+/// Opens a file that is dropped on a window; during the drag, the status bar explains why a file cannot be
+/// opened. Thread: UI.
 class FileDrop final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive this object.
+    /// Both must outlive this object.
     FileDrop(FileFlow& files, QMainWindow& window);
 
 protected:

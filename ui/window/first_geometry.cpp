@@ -10,10 +10,10 @@ namespace proveout {
 
 namespace {
 
-constexpr QSize kLeast{1280, 800}; ///< what the layouts are made for
-constexpr QSize kMost{2200, 1400}; ///< panels gain nothing beyond it
-constexpr QSize kFrame{20, 50};    ///< of title bar and borders
-constexpr double kShare = 0.85;    ///< of a screen with room for more than the least
+constexpr QSize kLeast{1280, 800}; ///< the size that the layouts are designed for
+constexpr QSize kMost{2200, 1400}; ///< panels do not benefit from more
+constexpr QSize kFrame{20, 50};    ///< title bar and borders
+constexpr double kShare = 0.85;    ///< share of a screen larger than the minimum
 
 } // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large the window is at its first start, before it has a geometry of its own to return to.
+// The size of the window at its first start, before a geometry was stored.
 #pragma once
 
 #include <QRect>
@@ -9,9 +9,9 @@ class QWidget;
 
 namespace proveout {
 
-/// For a screen with this much room, panels of the desktop left out; nothing where the screen is too small
-/// for anything but a maximised window. Frames of window managers are not part of a window's size, so room is
-/// left for one.
+/// The first size for a screen with this available size, without the desktop's panels; empty if the screen
+/// only fits a maximised window. Space is reserved for the window manager's frame, which is not part of a
+/// window's size.
 [[nodiscard]] QSize firstWindowSize(QSize available);
 
 /// Gives a window that was never shown its first size, or maximises it.

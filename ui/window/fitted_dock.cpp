@@ -35,7 +35,7 @@ void FittedDock::adopt() {
     QMetaObject::invokeMethod(this, &FittedDock::adoptSettled, Qt::QueuedConnection);
 }
 
-/// What the layout could give it may be more or less than what was asked for.
+/// The layout may have set another size than was requested.
 void FittedDock::adoptSettled() {
     --m_settling;
     if (!m_isChosen)
@@ -47,7 +47,7 @@ bool FittedDock::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::Resize)
         return QObject::eventFilter(watched, event);
     if (watched == &m_window) {
-        // The layout has given the docks their sizes in the new one already.
+        // The layout has adapted the docks to the new window size already.
         m_windowWidth = m_window.width();
         fit();
     } else if (m_settling == 0 && m_window.width() == m_windowWidth && !m_dock.isFloating()) {

@@ -8,18 +8,18 @@ class QMainWindow;
 
 namespace proveout {
 
-/// Keeps a dock at the left of a window as wide as its content wants to be, where there is room, in every
-/// size of the window. A width that the user gave it stays.
+/// Keeps a dock at the left of a window as wide as its content requires, if there is space, in every window
+/// size. A width set by the user is kept.
 class FittedDock final : public QObject {
     Q_OBJECT
 
 public:
     FittedDock(QMainWindow& window, QDockWidget& dock);
-    /// After a change of the content.
+    /// Call it after a change of the content.
     void fit();
-    /// The docks were arranged anew: the width that follows is not the user's.
+    /// The docks were rearranged: the width that follows was not set by the user.
     void adopt();
-    /// Whether the width is the user's. Kept with the layout of the window.
+    /// Whether the user has set the width. Stored with the layout of the window.
     [[nodiscard]] bool isChosen() const { return m_isChosen; }
     void setChosen(bool chosen) { m_isChosen = chosen; }
 
@@ -31,9 +31,9 @@ private:
 
     QMainWindow& m_window;
     QDockWidget& m_dock;
-    int m_width = 0;         ///< of the dock, as it was fitted
-    int m_windowWidth = 0;   ///< where the dock's width was looked at last
-    int m_settling = 0;      ///< changes of ours that the layout has yet to carry out
+    int m_width = 0;         ///< the fitted width of the dock
+    int m_windowWidth = 0;   ///< when the dock's width was last checked
+    int m_settling = 0;      ///< own changes that the layout has not applied yet
     bool m_isChosen = false; ///< by the user
 };
 

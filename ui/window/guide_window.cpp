@@ -28,15 +28,15 @@ constexpr QSize kFirstSize(900, 680);
 constexpr int kPagesWidth = 190;
 constexpr int kTextMargin = 16;
 constexpr int kCellPadding = 4;
-constexpr int kWidestPicture = 640;               ///< what the text of the first window leaves
-constexpr QColor kPictureFrame(0x80, 0x80, 0x80); ///< seen on a light page and on a dark one
+constexpr int kWidestPicture = 640;               ///< the width of the text in the initial window
+constexpr QColor kPictureFrame(0x80, 0x80, 0x80); ///< visible on a light and on a dark page
 constexpr int kPageSpacing = 2;
-constexpr float kTableLine = 0.3F; ///< of the colour of the text
+constexpr float kTableLine = 0.3F; ///< opacity relative to the colour of the text
 constexpr int kFile = Qt::UserRole;
 constexpr int kId = kFile + 1;
 const QString kDockPrefix = QStringLiteral("dock-");
 
-/// Qt draws the tables of Markdown as two frames in one another, tight round the text.
+/// Qt draws Markdown tables with double frames and without padding.
 void styleTables(QTextDocument& text, const QColor& line) {
     for (QTextFrame* frame : text.rootFrame()->childFrames()) {
         auto* table = qobject_cast<QTextTable*>(frame);
@@ -52,8 +52,8 @@ void styleTables(QTextDocument& text, const QColor& line) {
     }
 }
 
-/// Shows pictures that are wider than its page smaller, and each in a frame: the colours of a picture are
-/// those of the page, or the other theme's.
+/// Scales down images that are wider than the page and puts each in a frame, because the colours of an image
+/// may be those of the page.
 class GuideText final : public QTextBrowser {
 public:
     using QTextBrowser::QTextBrowser;
@@ -70,7 +70,7 @@ protected:
                 picture.scaledToWidth(static_cast<int>(kWidestPicture * density), Qt::SmoothTransformation);
             picture.setDevicePixelRatio(density);
         }
-        picture.convertTo(QImage::Format_RGB32); // one with a palette cannot be painted on
+        picture.convertTo(QImage::Format_RGB32); // QPainter cannot paint on an image with a palette
         QPainter painter(&picture);
         painter.setPen(kPictureFrame);
         painter.drawRect(QRectF(QPointF(0, 0), picture.deviceIndependentSize() - QSizeF(1, 1)));
@@ -149,7 +149,7 @@ void GuideWindow::showPage(const QString& page) {
     m_text->setFocus();
 }
 
-/// A link has led to another page.
+/// A link has opened another page.
 void GuideWindow::followText(const QUrl& shown) {
     styleText();
     const QSignalBlocker quiet(m_pages);

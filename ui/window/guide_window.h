@@ -10,15 +10,16 @@ class QUrl;
 
 namespace proveout {
 
-/// The user guide in a window of its own: its pages, and the one that is read. The pages are Markdown files
-/// of the product (guidePages()), in English.
+/// The user guide in a window of its own: the list of pages and the current page. The pages are Markdown
+/// files of the product (guidePages()), in English.
 class GuideWindow final : public QWidget {
     Q_OBJECT
 
 public:
     explicit GuideWindow(QWidget* parent);
 
-    /// Opens the window, or brings it to the front, at a page: "setup". The first page where there is none.
+    /// Opens the window, or brings it to the front, with a page such as "setup", or the first page if that
+    /// does not exist.
     void showPage(const QString& page);
 
 protected:
@@ -38,11 +39,11 @@ private:
     QAction* m_forward;
 };
 
-/// The page of the panel that a widget is part of; the first page where it is part of none.
+/// The page about the panel that contains a widget; the first page if it is in no panel.
 [[nodiscard]] QString guidePageOf(const QWidget* widget);
 
-/// Opens the guide of a window at the page about what has the focus; `view`: the 3D view, once there is
-/// something in it (`hasView`).
+/// Opens the guide of a window at the page about the focused widget; `view`: the 3D view, considered only if
+/// it shows something (`hasView`).
 void openGuide(QWidget& window, const QWidget& view, bool hasView);
 
 } // namespace proveout

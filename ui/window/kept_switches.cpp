@@ -16,7 +16,7 @@ KeptSwitches::KeptSwitches(QString group, const QList<QAction*>& actions, QObjec
         if (!action->isCheckable() || action->objectName().isEmpty())
             continue;
         m_default.emplace_back(action, action->isChecked());
-        // One that the settings do not know came with this version.
+        // An action that is not in the settings was added by this version.
         kept.emplace_back(action, settings.value(key(*action), action->isChecked()).toBool());
     }
     bring(kept);
@@ -30,7 +30,7 @@ void KeptSwitches::reset() {
 }
 
 void KeptSwitches::bring(const States& states) {
-    // Of several that exclude each other, the one that goes on decides: it comes last.
+    // In an exclusive group the action that is turned on decides, so it is triggered last.
     for (const bool last : {false, true}) {
         for (const auto& [action, on] : states) {
             if (on == last && action->isChecked() != on)

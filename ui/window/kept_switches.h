@@ -11,16 +11,15 @@
 
 namespace proveout {
 
-/// Keeps in the settings which commands are on: those that are checkable and have a name, told by it.
-/// Thread: UI.
+/// Stores in the settings which commands are on: all that are checkable and have an objectName. Thread: UI.
 class KeptSwitches final : public QObject {
     Q_OBJECT
 
 public:
-    /// What is on now is the standard; then the commands are brought to where the settings have them. They
-    /// outlive this object. `group` is a name in the settings.
+    /// The current states become the defaults; then the commands are set to the states in the settings. They
+    /// must outlive this object. `group` is a name in the settings.
     KeptSwitches(QString group, const QList<QAction*>& actions, QObject* parent);
-    /// Back to the standard.
+    /// Restores the defaults.
     void reset();
 
 private:

@@ -9,7 +9,7 @@
 
 namespace proveout {
 
-/// The arrangements of the window to choose from; keeps the chosen one in the settings. Thread: UI.
+/// The menu of window layouts; stores the chosen one in the settings. Thread: UI.
 class LayoutMenu final : public QMenu {
     Q_OBJECT
 
@@ -19,14 +19,14 @@ public:
     void retranslate();
 
 signals:
-    /// The user wants this layout, from its beginning, also where it is the present one.
+    /// The user wants this layout in its original form, even if it is the current one.
     void chosen(const DockLayout& layout);
 
 private:
     void choose(const DockLayout& layout);
 
     const DockLayout* m_present;
-    std::vector<QAction*> m_actions; ///< in the order of dockLayouts()
+    std::vector<QAction*> m_actions; ///< same order as dockLayouts()
 };
 
 } // namespace proveout

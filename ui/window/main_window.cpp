@@ -48,7 +48,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
         m_status->follow(*pointer);
     for (QAction* command : m_playback->actions().all()) {
         if (!command->isSeparator())
-            viewport().addAction(command); // the same keys act there
+            viewport().addAction(command); // so that the same keys are active there
     }
     m_menus = new WindowMenus(*this, *m_undo, *m_playback);
     m_toolBar = new WindowToolBar(*this);
@@ -70,7 +70,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
 }
 
 MainWindow::~MainWindow() {
-    hide(); // moves the focus, while all that it could move to is there
+    hide(); // moves the focus while all possible targets still exist
 }
 
 EditorPanel& MainWindow::editor() {
@@ -117,7 +117,7 @@ void MainWindow::followStartPage() {
     connect(page, &StartPage::backWanted, this, &MainWindow::showDocument);
 }
 
-/// The bar that Find opens is in the program's panel.
+/// Find opens a bar in the program panel.
 void MainWindow::showProgramForSearch() {
     for (const char* id : {"edit-find", "edit-replace", "edit-find-next", "edit-find-previous"})
         connect(action(QLatin1String(id)), &QAction::triggered, this,
@@ -137,7 +137,7 @@ void MainWindow::retranslate() {
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     m_state->shown();
-    // Window managers put the window that came last in front of those that came with it.
+    // Queued, because window managers put the main window in front of floating docks when it is shown.
     QMetaObject::invokeMethod(m_docks, &PanelDocks::raiseFloating, Qt::QueuedConnection);
 }
 

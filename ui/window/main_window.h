@@ -22,13 +22,13 @@ class WindowMenus;
 class WindowState;
 class WindowToolBar;
 
-/// The workstation's window: panels in docks round the 3D view, menus and tool bar made from tables. It puts
-/// its parts together and joins them with the session.
+/// The workstation's window: panels in docks around the 3D view, menus and tool bar created from tables. It
+/// creates its parts and connects them with the session.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 
 public:
-    /// Session and appearance outlive the window.
+    /// Session and appearance must outlive the window.
     MainWindow(Session& session, Appearance& appearance);
     ~MainWindow() override;
 
@@ -38,14 +38,14 @@ public:
     [[nodiscard]] PanelDocks& docks() { return *m_docks; }
     [[nodiscard]] EditorPanel& editor();
     [[nodiscard]] QWidget& viewport();
-    /// The action with this objectName, of whatever table; null where there is none.
+    /// The action with this objectName from any table; null if there is none.
     [[nodiscard]] QAction* action(const QString& id) const;
 
-    /// Sizes and places of the window and its docks, to be restored later.
+    /// Sizes and positions of the window and its docks, for restoring them later.
     [[nodiscard]] QByteArray layout() const;
-    /// Leaves all as it is where `layout` is not one of this version.
+    /// Does nothing if `layout` was stored by another version.
     void setLayout(const QByteArray& layout);
-    /// Shows a message above the view or the start page, which shares the room with it; takes ownership.
+    /// Shows a message above the view or the start page, which becomes smaller; takes ownership.
     void addNotice(QWidget* notice);
     void resetLayout();
     void toggleFullScreen();

@@ -20,20 +20,21 @@ namespace proveout {
 class FittedDock;
 class PanelFocus;
 
-/// The docks of a window: makes one a panel, titles and arranges them and brings them forward. Thread: UI.
+/// The docks of a window: creates one per panel, manages their titles, arranges them and brings them to the
+/// front. Thread: UI.
 class PanelDocks final : public QObject {
     Q_OBJECT
 
 public:
-    /// `centre` has the pages in the middle of the window. What the arguments refer to outlives this object;
-    /// the docks belong to the window.
+    /// `centre` contains the pages in the middle of the window. The referenced arguments must outlive this
+    /// object; the docks belong to the window.
     PanelDocks(QMainWindow& window, QStackedWidget& centre, const PanelParts& parts,
                std::span<const PanelRow> rows);
 
     [[nodiscard]] std::span<const PanelRow> rows() const { return m_rows; }
-    /// In the order of the rows.
+    /// Same order as the rows.
     [[nodiscard]] const std::vector<QDockWidget*>& all() const { return m_docks; }
-    /// The panel of this class; null where there is none.
+    /// The panel of this class; null if there is none.
     template<class Panel>
     [[nodiscard]] Panel* panel() const {
         for (const QDockWidget* dock : m_docks) {
@@ -42,30 +43,31 @@ public:
         }
         return nullptr;
     }
-    /// The actions() of the panels that have theirs in a menu.
+    /// The actions() of the panels whose actions belong in this menu.
     [[nodiscard]] QList<QAction*> actionsOf(PanelMenu menu) const;
-    /// Those that show setup, parameters and machine.
+    /// The panels that show setup, parameters and machine.
     [[nodiscard]] QList<const QWidget*> jobPanels() const;
 
-    /// All docks where a layout has them; those that it does not name are tabs in the area of their rows.
+    /// Arranges all docks according to a layout; docks that it does not name become tabs in the area of their
+    /// row.
     void arrange(const DockLayout& layout);
-    /// QMainWindow::restoreState(), also of a window that had fewer panels: the others have the places that
-    /// the last layout gave them. False leaves all as it is.
+    /// Like QMainWindow::restoreState(), but also for the state of a window with fewer panels: the others
+    /// keep the places from the last layout. If it returns false, nothing has changed.
     bool restore(const QByteArray& state, int version);
-    /// Shows a panel in front of others; the id is one of the rows'.
+    /// Brings a panel to the front; the id must be in one of the rows.
     void show(std::string_view id);
-    /// The same, and gives it the focus.
+    /// The same, and also gives it the focus.
     void activate(std::string_view id);
     void raiseFloating();
     void retitle();
 
-    /// After a change of the content of the fitted dock.
+    /// Call it after a change of the content of the fitted dock.
     void fit();
-    /// Whether the width of the fitted dock is the user's. Kept with the layout of the window.
+    /// Whether the user has set the width of the fitted dock. Stored with the layout of the window.
     [[nodiscard]] bool isWidthChosen() const;
     void setWidthChosen(bool chosen);
 
-    /// Leads the focus between the docks and the centre.
+    /// Manages the focus of the docks and the centre.
     [[nodiscard]] PanelFocus& focus() { return *m_focus; }
 
 private:
@@ -76,8 +78,8 @@ private:
     const Session& m_session;
     std::span<const PanelRow> m_rows;
     PanelFocus* m_focus;
-    std::vector<QDockWidget*> m_docks; ///< in the order of m_rows
-    FittedDock* m_fitted = nullptr;    ///< null where no row asks for it
+    std::vector<QDockWidget*> m_docks; ///< same order as m_rows
+    FittedDock* m_fitted = nullptr;    ///< null if no row requires it
 };
 
 } // namespace proveout

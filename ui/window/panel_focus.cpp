@@ -18,8 +18,8 @@ bool isInside(const QWidget* widget, const QWidget& parent) {
     return widget != nullptr && (widget == &parent || parent.isAncestorOf(widget));
 }
 
-/// Whether a click gives it the focus, as it does to inputs, lists and views; buttons of tool bars have it by
-/// Tab alone.
+/// Whether a click gives it the focus, as for inputs, lists and views; buttons of tool bars get it only by
+/// Tab.
 bool isInput(const QWidget& widget) {
     return widget.isVisible() && widget.isEnabled() &&
            (widget.focusPolicy() & Qt::StrongFocus) == Qt::StrongFocus &&
@@ -48,13 +48,13 @@ PanelFocus::PanelFocus(QMainWindow& window, QStackedWidget& centre)
 }
 
 void PanelFocus::add(QDockWidget& dock) {
-    // Closed is not all that hides a panel: its tab may be behind another one.
+    // A panel is also hidden if its tab is behind another one.
     QWidget& panel = *dock.widget();
     QSizePolicy policy = panel.sizePolicy();
-    policy.setRetainSizeWhenHidden(true); // the docks keep their sizes whatever tab is in front
+    policy.setRetainSizeWhenHidden(true); // the docks keep their sizes whichever tab is in front
     panel.setSizePolicy(policy);
     QAction& toggle = *dock.toggleViewAction();
-    disconnect(&toggle, SIGNAL(triggered(bool)), &dock, nullptr); // Qt's own closes what is open
+    disconnect(&toggle, SIGNAL(triggered(bool)), &dock, nullptr); // Qt's own handler would close an open dock
     connect(&toggle, &QAction::triggered, this, [this, &dock] { actionTriggered(dock); });
     connect(&dock, &QDockWidget::visibilityChanged, this,
             [this, &dock](bool visible) { visibilityChanged(dock, visible); });
@@ -92,26 +92,26 @@ void PanelFocus::activateCentre() {
 void PanelFocus::actionTriggered(QDockWidget& dock) {
     if (dock.widget()->isVisible() && isInside(m_last, *dock.widget())) {
         dock.close();
-        m_window.activateWindow(); // it may have floated
+        m_window.activateWindow(); // the dock may have been floating
         activateCentre();
     } else {
         activate(dock);
     }
-    dock.toggleViewAction()->setChecked(!dock.isHidden()); // the click has turned it
+    dock.toggleViewAction()->setChecked(!dock.isHidden()); // the click has toggled it
 }
 
-/// Closed, opened, or its tab is another one than before.
+/// The dock was closed or opened, or its tab has moved to the front or back.
 void PanelFocus::visibilityChanged(QDockWidget& dock, bool visible) {
     if (m_window.isMinimized())
         return;
     QWidget& panel = *dock.widget();
     const bool losesFocus = !visible && isInside(QApplication::focusWidget(), panel);
     if (losesFocus)
-        activateCentre(); // Qt would choose any input of another panel
+        activateCentre(); // otherwise Qt would choose any input of another panel
     panel.setVisible(visible);
     if (!losesFocus || dock.isHidden())
         return;
-    // Another tab came in front: the user is there now.
+    // The user has selected another tab, so it gets the focus.
     QMetaObject::invokeMethod(
         this,
         [this, &dock] {
@@ -128,7 +128,7 @@ void PanelFocus::focusMoved(QWidget* focus) {
     if (focus == nullptr || ofMenu)
         return;
     m_last = focus;
-    // A command that works in a panel, as Find does, is given where it is seen.
+    // A command that works in a panel, as Find does, must be run where its result is visible.
     QDockWidget* dock = dockOf(focus);
     if (dock == nullptr || dock->widget()->isVisible())
         return;

@@ -12,23 +12,23 @@ class QWidget;
 
 namespace proveout {
 
-/// Leads the keyboard focus between the docks of a window and its centre. The action of a dock brings it
-/// forward and gives it the focus; only where it has both already, it is closed. What lies behind another tab
-/// or is closed is hidden, so that it never has the focus, nor gets it by Tab. Thread: UI.
+/// Manages the keyboard focus of a window's docks and its centre. The action of a dock brings it to the front
+/// and gives it the focus; if it has both already, the action closes it. Panels behind another tab or in a
+/// closed dock are hidden, so they never have the focus and Tab skips them. Thread: UI.
 class PanelFocus final : public QObject {
     Q_OBJECT
 
 public:
-    /// `centre` has the pages in the middle of the window; both outlive this object.
+    /// `centre` contains the pages in the middle of the window; both must outlive this object.
     PanelFocus(QMainWindow& window, QStackedWidget& centre);
 
-    /// Takes over the toggleViewAction() of a dock that has its widget.
+    /// Takes over the toggleViewAction() of a dock; its widget must be set.
     void add(QDockWidget& dock);
-    /// Shows a panel in front of others and gives it the focus: to what had it last, or its first input.
+    /// Brings a panel to the front and gives the focus to the widget that had it last, or to its first input.
     void activate(QDockWidget& dock);
-    /// Shows another page in the middle; it gets the focus where the one before had it.
+    /// Shows another page in the middle; it gets the focus if the previous page had it.
     void showPage(QWidget& page);
-    /// Gives the focus to the page in the middle of the window.
+    /// Gives the focus to the current page in the middle of the window.
     void activateCentre();
 
 private:
@@ -40,7 +40,7 @@ private:
     QMainWindow& m_window;
     QStackedWidget& m_centre;
     QList<QDockWidget*> m_docks;
-    QPointer<QWidget> m_last; ///< had the focus last, menus apart
+    QPointer<QWidget> m_last; ///< the last widget with the focus, except menus
 };
 
 } // namespace proveout

@@ -25,7 +25,7 @@ namespace {
 
 constexpr QSize kStudyPicture{1280, 800};
 
-/// A panel that needs the session alone.
+/// A panel that needs only the session.
 template<class Panel>
 QWidget* make(const PanelParts& parts, QWidget* parent) {
     return new Panel(parts.session, parent);
@@ -44,7 +44,7 @@ QWidget* makeTimeline(const PanelParts& parts, QWidget* parent) {
     return new TimelinePanel(parts.session, parts.playback, parent);
 }
 
-/// A study draws as the viewport does, and neither panel knows the other.
+/// The study panel draws with the viewport's renderer; this keeps the two panels independent of each other.
 Result<std::unique_ptr<DrawCost>> makeStudyDrawing(QThread* thread) {
     return OffscreenDrawing::create(kStudyPicture.width(), kStudyPicture.height(), thread);
 }

@@ -7,12 +7,12 @@ namespace proveout {
 
 class FileFlow;
 
-/// The recent files, missing ones greyed, and an entry to forget them.
+/// The recent files, with missing ones greyed out, and an item to clear the list.
 class RecentMenu final : public QMenu {
     Q_OBJECT
 
 public:
-    /// `files` outlives the menu.
+    /// `files` must outlive the menu.
     RecentMenu(FileFlow& files, QWidget* parent);
 
 private:

@@ -31,7 +31,7 @@ NcText onDisk(const std::filesystem::path& file) {
     return file.empty() ? NcText() : DiskCopy::read(file, kLargestCompared).value_or(DiskCopy()).text();
 }
 
-/// The kept versions beside those of the files.
+/// Compares the backups with the files.
 std::vector<Comparison> comparisonsOf(const KeptWork& work, const JobDocument& document) {
     std::vector<Comparison> comparisons;
     const QString where = Recovery::tr("in the backup");
@@ -66,7 +66,7 @@ Recovery::Recovery(MainWindow& window, const QString& root)
     find(root);
 }
 
-/// The newest layout is taken over at once, because nothing can be lost by that.
+/// The newest layout is adopted immediately, because that loses nothing.
 void Recovery::find(const QString& root) {
     for (SessionFolder& folder : SessionFolder::abandoned(root)) {
         if (Result<KeptSession> session = readKeptSession(folder.path()))
@@ -110,7 +110,7 @@ void Recovery::restore(const QString& folder) {
         const bool whole =
             std::ranges::none_of(m_window.session().document().job().warnings(),
                                  [](const Diagnostic& each) { return each.severity == Severity::error; });
-        // Until this session has kept it, the old folder is all there is.
+        // The old folder is the only backup until this session has written its own.
         if (whole)
             m_autosave.keepNow([this, folder] { forget(folder); });
     });
@@ -135,7 +135,7 @@ void Recovery::discard(const QString& folder) {
     QMessageBox question(QMessageBox::Warning, tr("Discard unsaved changes"),
                          tr("Discard the unsaved changes of %1?").arg(nameOf(left->session.work)),
                          QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    question.setTextFormat(Qt::PlainText); // the name is the user's
+    question.setTextFormat(Qt::PlainText); // the name comes from the user
     question.setInformativeText(tr("The backup will be deleted. The file on disk is not changed."));
     question.setDefaultButton(QMessageBox::Cancel);
     if (question.exec() == QMessageBox::Discard)

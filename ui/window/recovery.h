@@ -15,19 +15,19 @@ namespace proveout {
 class MainWindow;
 class RecoveryBar;
 
-/// Keeps the unsaved work of a window, and offers what sessions before it have left that were ended from
-/// outside: each can be restored, compared with its files, or discarded; what is neither stays for the next
-/// start. Thread: UI.
+/// Backs up the unsaved work of a window, and offers the backups of earlier sessions that ended unexpectedly:
+/// each can be restored, compared with its files, or discarded; otherwise it stays for the next start.
+/// Thread: UI.
 class Recovery final : public QObject {
     Q_OBJECT
 
 public:
-    /// The window outlives this object. Below `root` each session has a folder.
+    /// The window must outlive this object. Each session has a folder below `root`.
     Recovery(MainWindow& window, const QString& root);
 
-    /// Where the application keeps such sessions.
+    /// Where the application keeps the backups.
     [[nodiscard]] static QString defaultRoot();
-    /// The window was closed with the consent of the user: nothing of it is unsaved.
+    /// The window was closed by the user, so it has no unsaved work.
     void end() { m_autosave.end(); }
     [[nodiscard]] Autosave& autosave() { return m_autosave; }
 
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] Left* leftIn(const QString& folder);
 
     MainWindow& m_window;
-    std::vector<Left> m_left; ///< the newest first
+    std::vector<Left> m_left; ///< newest first
     RecoveryBar* m_bar;
     Autosave m_autosave;
 };

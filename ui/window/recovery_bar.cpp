@@ -15,7 +15,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLongestName = 40; ///< letters
+constexpr int kLongestName = 40; ///< characters
 
 QString shortName(const QString& file) {
     const QString name = QFileInfo(file).fileName();
@@ -49,7 +49,7 @@ void RecoveryBar::fill() {
     m_title->setText(tr("Proveout did not close normally. These unsaved changes can be restored:"));
     if (m_list != nullptr) {
         m_list->hide();
-        m_list->deleteLater(); // it may hold the button that was clicked
+        m_list->deleteLater(); // it may contain the button that was clicked
     }
     m_list = new QWidget(this);
     auto* grid = new QGridLayout(m_list);
@@ -68,7 +68,7 @@ void RecoveryBar::addRow(const RecoveryRow& row, int line) {
     auto* label = new QLabel(
         tr("%1 (%2), %3").arg(name, what, locale().toString(row.time.toLocalTime(), QLocale::ShortFormat)),
         m_list);
-    label->setTextFormat(Qt::PlainText); // the name is the user's
+    label->setTextFormat(Qt::PlainText); // the name comes from the user
     label->setForegroundRole(QPalette::ToolTipText);
     label->setToolTip(row.name);
     auto* grid = static_cast<QGridLayout*>(m_list->layout());

@@ -11,10 +11,10 @@ class QLabel;
 
 namespace proveout {
 
-/// A session whose unsaved work was kept, as the bar shows it.
+/// A session with backed-up work, as the bar shows it.
 struct RecoveryRow {
     QString key;
-    QString name; ///< of the file; empty: a new program
+    QString name; ///< name of the file; empty: a new program
     bool text = false;
     bool setup = false;
     QDateTime time;
@@ -22,7 +22,7 @@ struct RecoveryRow {
     friend bool operator==(const RecoveryRow&, const RecoveryRow&) = default;
 };
 
-/// "Proveout ended unexpectedly. Unsaved changes were kept", with one row a session: restore, compare,
+/// "Proveout ended unexpectedly. Unsaved changes were kept", with one row per session: restore, compare,
 /// discard. Hidden while there is none.
 class RecoveryBar final : public QFrame {
     Q_OBJECT

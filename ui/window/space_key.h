@@ -5,8 +5,8 @@
 
 namespace proveout {
 
-/// Leaves Space to the controls of the application that are worked by it, buttons, boxes and lists, although
-/// it plays the program from anywhere else. Holds as long as this object lives. Thread: UI.
+/// Passes Space to the focused control if it uses that key (buttons, boxes and lists), although Space is a
+/// shortcut for playing the program. Active as long as this object exists. Thread: UI.
 class SpaceKey final : public QObject {
     Q_OBJECT
 

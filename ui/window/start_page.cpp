@@ -171,7 +171,7 @@ void StartPage::setOpenDocument(const QString& name) {
     m_openDocument = name;
     m_back->setVisible(!name.isEmpty());
     m_back->setText(tr("Back to %1").arg(name).replace(u'&', QLatin1String("&&")));
-    m_back->setShortcut(Qt::Key_Escape); // a new text drops the old one's
+    m_back->setShortcut(Qt::Key_Escape); // setting a text removes the shortcut
 }
 
 void StartPage::retranslate() {

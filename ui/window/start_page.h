@@ -13,16 +13,16 @@ class QVBoxLayout;
 
 namespace proveout {
 
-/// Shown while nothing is open, and when it is asked for: open a file, a recent one, or a sample; choose the
-/// language; go back to what is open.
+/// Shown while no document is open, and on request: open a file, a recent one or a sample; choose the
+/// language; return to the open document.
 class StartPage final : public QWidget {
     Q_OBJECT
 
 public:
-    /// All arguments outlive the page.
+    /// All arguments must outlive the page.
     StartPage(Appearance& appearance, RecentFiles& recent, QWidget* parent = nullptr);
 
-    /// What is open, for the way back to it; empty where nothing is.
+    /// The name of the open document, for the button that returns to it; empty if there is none.
     void setOpenDocument(const QString& name);
 
 signals:

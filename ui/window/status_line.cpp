@@ -22,13 +22,13 @@ namespace proveout {
 
 namespace {
 
-constexpr int kProgressWidth = 140; // px, where its text is not wider
+constexpr int kProgressWidth = 140; // px, unless its text is wider
 constexpr int kProgressMargin = 24;
 constexpr int kProgressSteps = 100;
 constexpr int kAnswerTime = 15'000;        // ms
 constexpr int kProblemTime = 8'000;        // ms
 constexpr int kMargin = 6;                 // px
-constexpr double kFarPosition = -8888.888; // mm, as wide as any within it
+constexpr double kFarPosition = -8888.888; // mm, as wide as any coordinate within it
 const QString kWideWord = QStringLiteral("88888");
 const QString kWideTool = QStringLiteral("888");
 
@@ -36,13 +36,13 @@ QString millimetres(const QLocale& locale, double value) {
     return locale.toString(value, 'f', 3);
 }
 
-/// As the program writes it: F and S are words, not amounts.
+/// Formatted as in a program, without group separators, because F and S are words.
 QString wordValue(QLocale locale, double value) {
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale.toString(value, 'g', 6);
 }
 
-/// The motion that the frame stands after.
+/// The last motion before the end of the frame's block.
 Motion lastMotion(const Frame& frame) {
     return frame.program->motion(frame.program->blockMotions(frame.block - 1).last - 1);
 }
@@ -73,7 +73,7 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     connect(&session.exports(), &ExportHub::exported, this, [this](const ExportSummary& summary) {
         const QString text = exportText(summary, m_bar.locale());
         say(text, Until::edited);
-        // A narrow window cuts the message off.
+        // a narrow window cuts the message off
         m_bar.setToolTip(text + QLatin1Char('\n') + exportDetails(summary, m_bar.locale()));
     });
     connect(&session.problems(), &ProblemsHub::changed, this, &StatusLine::forgetProblem);
@@ -93,7 +93,7 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     retranslate();
 }
 
-/// Why the run stopped, until it goes on or something else is told.
+/// Shows why the run stopped, until it continues or another message is shown.
 void StatusLine::reportStop(const BreakpointHit& hit) {
     const QString reason = coreText(rowOf(hit.breakpoint.kind).reason, {valueText(hit.breakpoint)});
     say(reason, Until::moved, m_session.simulation().block());
@@ -107,7 +107,7 @@ void StatusLine::say(const QString& text, Until until, std::size_t block, int mi
     m_bar.showMessage(text, milliseconds);
 }
 
-/// An edit ends what a move ends too.
+/// An edit also clears the messages that a move clears.
 void StatusLine::forget(Until event) {
     if (m_said.isEmpty() || (event == Until::moved && m_until == Until::edited))
         return;
@@ -156,7 +156,7 @@ void StatusLine::forgetProblem() {
     m_problem.clear();
 }
 
-/// The frame of a block that a message is about may still be on its way.
+/// A message may be about a block whose frame has not arrived yet.
 void StatusLine::forgetWhatIsBehind(const Frame& frame) {
     if (frame.block == m_saidOf)
         m_arrived = true;
@@ -226,7 +226,7 @@ void StatusLine::onTick(const FramePtr& frame) {
     const bool toolAssumed = frame && frame->toolAssumed;
     if (std::exchange(m_toolAssumed, toolAssumed) != toolAssumed || otherFaces)
         fitFields();
-    // At every tick, like all other panels: two counts of one moment must be the same.
+    // Updated at every tick like all other panels, because two counts of the same moment must be equal.
     showFrame(frame);
 }
 
@@ -274,7 +274,7 @@ void StatusLine::showWork() {
     m_cancel->setVisible(work.has_value());
     if (!work)
         return;
-    // Within the bar: beside it, a narrow window had to grow for as long as the work takes.
+    // The label is inside the bar: next to it, it would force a narrow window to grow while the work runs.
     if (m_progress->format() != work->label) {
         m_progress->setFormat(work->label);
         m_progress->setFixedWidth(std::max(

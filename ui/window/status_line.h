@@ -18,17 +18,18 @@ namespace proveout {
 class ElidedLabel;
 class SurfaceProbe;
 
-/// What the status bar tells: the place under the pointer; position, feed, speed, tool, block, faces; and
-/// long work with a Cancel button. The fields have fixed widths, so that nothing jumps while numbers change.
+/// The content of the status bar: the position under the pointer; tool position, feed rate, spindle speed,
+/// tool, block, triangles; and long operations with a Cancel button. The fields have fixed widths, so that
+/// the layout does not change with the numbers.
 class StatusLine final : public QObject {
     Q_OBJECT
 
 public:
     StatusLine(Session& session, QStatusBar& bar);
-    /// Shows the place under the pointer, too; it must outlive the last tick of the session.
+    /// Also shows the position under the pointer; `pointer` must outlive the last tick of the session.
     void follow(const SurfaceProbe& pointer);
     void retranslate();
-    /// The first problem, for a while; no longer than it is one.
+    /// Shows the first problem for a while, at most until it is resolved.
     void reportProblem();
 
 private:
@@ -40,14 +41,14 @@ private:
     void showWork();
     void reportStop(const BreakpointHit& hit);
     void reportPlace(const PlaceAnswer& answer);
-    /// How long what a message says is true.
+    /// The event that makes a message outdated.
     enum class Until { moved, edited };
     void say(const QString& text, Until until, std::size_t block = 0, int milliseconds = 0);
     void forget(Until event);
     void forgetProblem();
     void forgetWhatIsBehind(const Frame& frame);
     void showPlace();
-    /// Makes each field as wide as the widest text that it will show for this program and stock.
+    /// Makes each field as wide as its widest text for the current program and stock.
     void fitFields();
     void set(Field field, const QString& text);
 
@@ -55,16 +56,16 @@ private:
     QStatusBar& m_bar;
     std::array<QLabel*, kFieldCount> m_fields{};
     const SurfaceProbe* m_pointer = nullptr;
-    ElidedLabel* m_place; ///< under the pointer
+    ElidedLabel* m_place; ///< the position under the pointer
     QProgressBar* m_progress;
     QToolButton* m_cancel;
-    QString m_problem; ///< that reportProblem() has shown
-    QString m_said;    ///< by say(); something else may be shown meanwhile
+    QString m_problem; ///< shown by reportProblem()
+    QString m_said;    ///< shown by say(); another message may have replaced it
     Until m_until = Until::edited;
-    std::size_t m_saidOf = 0;    ///< the block that it is about
-    bool m_arrived = false;      ///< there
+    std::size_t m_saidOf = 0;    ///< the block that the message is about
+    bool m_arrived = false;      ///< at the block m_saidOf
     std::size_t m_facesFull = 0; ///< of the newest frame
-    bool m_toolAssumed = false;  ///< the same
+    bool m_toolAssumed = false;  ///< in the newest frame
 };
 
 } // namespace proveout

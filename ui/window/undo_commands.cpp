@@ -32,7 +32,7 @@ const std::array<Command<UndoCommands>, 3> kCommands{{
     separator<UndoCommands>(),
 }};
 
-/// Whether the focus is on text that is being typed and is no value yet: such text has an undo of its own.
+/// Whether the focus is on text that is being typed and is not a value yet: such text has its own undo.
 bool isTyping(const QWidget& focus) {
     if (const auto* box = qobject_cast<const QSpinBox*>(&focus))
         return isBeingTyped(*box);
@@ -42,7 +42,7 @@ bool isTyping(const QWidget& focus) {
     return line != nullptr && line->isModified() && (line->isUndoAvailable() || line->isRedoAvailable());
 }
 
-/// A key of a menu's text would show in it.
+/// Escapes &, which would mark a mnemonic in the text of a menu.
 QString plain(QString name) {
     return name.replace(u'&', QStringLiteral("&&"));
 }
@@ -53,7 +53,7 @@ UndoCommands::UndoCommands(Session& session, EditorPanel& editor, QList<const QW
                            QObject* parent)
     : QObject(parent), m_session(session), m_editor(editor), m_jobPanels(std::move(jobPanels)),
       m_actions(*this, kContext, kCommands, this) {
-    // The menu of the text has them too, before its own.
+    // The context menu of the text starts with these commands too.
     NcEditor& text = editor.editor();
     text.insertActions(text.actions().value(0), {m_actions.all().begin(), m_actions.all().end()});
     connect(qApp, &QApplication::focusChanged, this,
@@ -89,7 +89,7 @@ bool UndoCommands::isInEditor(const QWidget& widget) const {
     return &widget == &m_editor || m_editor.isAncestorOf(&widget);
 }
 
-/// Menus, the 3D view and the like have nothing to undo: what was worked in before them counts on.
+/// Menus, the 3D view and the like have nothing to undo, so the previously focused input still counts.
 void UndoCommands::focusMoved(const QWidget* focus) {
     if (focus == nullptr)
         return;
@@ -101,7 +101,7 @@ void UndoCommands::focusMoved(const QWidget* focus) {
     update();
 }
 
-/// By a command elsewhere too, for example of the Mesh menu.
+/// The job may also be changed by a command elsewhere, e.g. in the Mesh menu.
 void UndoCommands::jobChanged() {
     const QWidget* focus = QApplication::focusWidget();
     if (focus == nullptr || !isInEditor(*focus))
@@ -132,7 +132,7 @@ void UndoCommands::update() {
 bool UndoCommands::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::ShortcutOverride || !watched->isWidgetType())
         return false;
-    // The boxes of the panels would keep the keys for the text in them, also where there is nothing to undo.
+    // The input fields of the panels would use these keys for their own text, even if it has nothing to undo.
     const auto& key = static_cast<const QKeyEvent&>(*event);
     const auto& widget = static_cast<const QWidget&>(*watched);
     const QKeySequence pressed(key.keyCombination());

@@ -14,12 +14,12 @@ namespace proveout {
 class EditorPanel;
 
 /// Undo and Redo of the Edit menu. They act on what had the focus last: the text, or setup, tuning and
-/// machine; their texts name the step. Thread: UI.
+/// machine; their names contain the step. Thread: UI.
 class UndoCommands final : public QObject {
     Q_OBJECT
 
 public:
-    /// `jobPanels` show setup, parameters and machine. All outlive this object.
+    /// `jobPanels` show setup, parameters and machine. All arguments must outlive this object.
     UndoCommands(Session& session, EditorPanel& editor, QList<const QWidget*> jobPanels, QObject* parent);
     [[nodiscard]] const CommandActions<UndoCommands>& actions() const { return m_actions; }
     void retranslate();
@@ -39,7 +39,7 @@ private:
     Session& m_session;
     EditorPanel& m_editor;
     QList<const QWidget*> m_jobPanels;
-    bool m_ofText = false; ///< else of setup, tuning and machine
+    bool m_ofText = false; ///< false: acts on setup, tuning and machine
     CommandActions<UndoCommands> m_actions;
 };
 

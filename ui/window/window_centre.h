@@ -17,13 +17,13 @@ class WindowCentre final : public QWidget {
     Q_OBJECT
 
 public:
-    /// All arguments outlive the widget.
+    /// All arguments must outlive the widget.
     WindowCentre(Session& session, Appearance& appearance, RecentFiles& recent, QWidget* parent);
 
     [[nodiscard]] QStackedWidget& pages() { return *m_pages; }
     [[nodiscard]] StartPage& startPage() { return *m_startPage; }
     [[nodiscard]] QWidget& viewport() { return *m_viewport; }
-    /// Shows a message above the pages, which share the room with it; takes ownership.
+    /// Shows a message above the pages, which become smaller; takes ownership.
     void addNotice(QWidget* notice);
 
 private:

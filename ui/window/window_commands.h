@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands of the window itself: one row a command, read by menus, tool bar and tests.
+// The commands of the window itself: one row per command, used by menus, tool bar and tests.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ inline constexpr const char* kHelpContext = "HelpCommands";
 [[nodiscard]] std::span<const Command<MainWindow>> windowCommands();
 [[nodiscard]] std::span<const Command<MainWindow>> helpCommands();
 
-/// Ids of actions, whatever table they are of, in the order of the tool bar; "" is a separator.
+/// Ids of actions from any table, in the sequence of the tool bar; "" is a separator.
 [[nodiscard]] std::span<const char* const> toolBarIds();
 
 } // namespace proveout

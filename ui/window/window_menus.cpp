@@ -54,7 +54,7 @@ QMenu& WindowMenus::add(const char* title, const QList<QAction*>& actions) {
     return menu;
 }
 
-/// The commands of each panel in a group of their own.
+/// The commands of each panel form a group of their own.
 void WindowMenus::addOfPanels(QMenu& menu, PanelMenu place) {
     const PanelDocks& docks = m_window.docks();
     for (std::size_t i = 0; i < docks.all().size(); ++i) {
@@ -88,7 +88,7 @@ void WindowMenus::addEdit(const UndoCommands& undo) {
 void WindowMenus::addView(const PlaybackCommands& playback) {
     QList<QAction*> actions = m_window.viewport().actions();
     for (QAction* action : playback.actions().all())
-        actions.removeAll(action); // they act in the view, but their menu is another one
+        actions.removeAll(action); // they are active in the view, but belong in another menu
     addOfPanels(add(QT_TRANSLATE_NOOP("Menus", "&View"), actions), PanelMenu::view);
 }
 

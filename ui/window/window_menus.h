@@ -20,19 +20,19 @@ class PanelDocks;
 class PlaybackCommands;
 class UndoCommands;
 
-/// The menu bar of the window: the commands of its tables, of the view and of the panels, and the choices of
-/// files, layouts and appearance. Thread: UI.
+/// The menu bar of the window: the commands of the window's tables, of the view and of the panels, and the
+/// menus of files, layouts and appearance. Thread: UI.
 class WindowMenus final : public QObject {
     Q_OBJECT
 
 public:
-    /// Fills the menu bar of `window`, which has its files, view and panels already. All arguments outlive
-    /// this object.
+    /// Fills the menu bar of `window`, whose files, view and panels must exist already. All arguments must
+    /// outlive this object.
     WindowMenus(MainWindow& window, const UndoCommands& undo, const PlaybackCommands& playback);
 
     [[nodiscard]] LayoutMenu& layouts() { return *m_layouts; }
     void retranslate();
-    /// The theme has changed.
+    /// Call it when the theme has changed.
     void followTheme();
 
 private:

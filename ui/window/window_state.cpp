@@ -18,7 +18,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLayoutVersion = 5; // raise it when a dock gets another name: older layouts are then left alone
+constexpr int kLayoutVersion = 5; // increase it when a dock is renamed, so that older layouts are ignored
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
 const QString kWidthChosenKey = QStringLiteral("window/editor-width-chosen");

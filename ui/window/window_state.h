@@ -11,25 +11,25 @@ class LayoutMenu;
 class PanelDocks;
 class PlaybackHub;
 
-/// Sizes and places of a window and its docks, and the speed of playback: arranges them as the chosen layout
-/// has them, and keeps in the settings what the user makes of it. Thread: UI.
+/// Sizes and positions of a window and its docks, and the playback speed: arranges them according to the
+/// chosen layout, and stores the user's changes in the settings. Thread: UI.
 class WindowState {
 public:
-    /// All arguments outlive this object.
+    /// All arguments must outlive this object.
     WindowState(QMainWindow& window, PanelDocks& docks, const LayoutMenu& layouts, PlaybackHub& playback);
 
-    /// As the chosen layout has it.
+    /// Arranges the docks according to the chosen layout.
     void arrange();
-    /// As the settings have it, before the window is shown; else as at the first start.
+    /// Restores the state from the settings before the window is shown, or that of the first start.
     void restore();
-    /// Where nothing was restored, arranges the docks again: they take their sizes only once the window has
-    /// its own.
+    /// If nothing was restored, arranges the docks again, because they get their sizes only once the window
+    /// has its own.
     void shown();
     void keep() const;
 
-    /// Sizes and places, to be restored later.
+    /// Sizes and positions, for restoring them later.
     [[nodiscard]] QByteArray layout() const;
-    /// Leaves all as it is where `layout` is not one of this version.
+    /// Does nothing if `layout` was stored by another version.
     void setLayout(const QByteArray& layout);
 
 private:
@@ -39,7 +39,7 @@ private:
     PanelDocks& m_docks;
     const LayoutMenu& m_layouts;
     PlaybackHub& m_playback;
-    bool m_settled = false; ///< the docks are where the settings, or the user, have them
+    bool m_settled = false; ///< the docks are arranged as in the settings or by the user
 };
 
 } // namespace proveout

@@ -22,7 +22,7 @@ WindowToolBar::WindowToolBar(MainWindow& window) : QToolBar(&window) {
         if (*id == '\0')
             addSeparator();
         else if (QAction* command = window.action(QLatin1String(id)))
-            addAction(command); // the 3D view has no commands where OpenGL is not available
+            addAction(command); // without OpenGL the 3D view has no commands
     }
     for (QToolButton* button : findChildren<QToolButton*>())
         button->setFocusPolicy(Qt::TabFocus);

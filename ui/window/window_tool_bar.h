@@ -7,13 +7,12 @@ namespace proveout {
 
 class MainWindow;
 
-/// The tool bar of the window, with commands that have their places in its menus. It stays where it is.
-/// Thread: UI.
+/// The tool bar of the window, with commands that are also in its menus. It cannot be moved. Thread: UI.
 class WindowToolBar final : public QToolBar {
     Q_OBJECT
 
 public:
-    /// Adds itself to `window`, which has its menus already.
+    /// Adds itself to `window`, whose menus must exist already.
     explicit WindowToolBar(MainWindow& window);
     void retranslate();
 };

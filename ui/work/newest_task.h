@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work in the background of which only the newest counts.
+// Background work of which only the newest task counts.
 #pragma once
 
 #include <condition_variable>
@@ -16,28 +16,28 @@
 
 namespace proveout {
 
-/// A thread that carries out one task at a time; a new one takes the place of the one before, which is asked
-/// to stop and of which nothing is told any more. Thread: the UI thread, except `Reply`. Nobody waits but the
-/// destructor, for the task under way to see that it is to stop. What a task needs it holds itself, by value
-/// or as shared immutable data: whoever has started it may be gone or changed.
+/// A thread that runs one task at a time. A new task replaces the previous one, which is asked to stop and
+/// whose results are dropped. Thread: the UI thread, except `Reply`. Only the destructor waits, until the
+/// running task notices that it must stop. A task holds everything it needs, by value or as shared immutable
+/// data, because the object that started it may have changed or been destroyed.
 class NewestTask : public QObject {
 public:
-    /// What a task is given; used on the thread of the task, while it runs.
+    /// Passed to a task; used on the task's thread while it runs.
     struct Reply {
         std::stop_token stop;
-        /// Has something done on the UI thread, unless nobody wants to know any more.
+        /// Runs a function on the UI thread, unless the task was replaced or cancelled.
         std::function<void(std::function<void()>)> post;
     };
-    /// Throws nothing.
+    /// Must not throw.
     using Task = std::function<void(const Reply&)>;
 
     explicit NewestTask(QObject* parent = nullptr);
     ~NewestTask() override;
 
     void start(Task task);
-    /// Forgets the newest task: it is asked to stop, and nothing is told any more.
+    /// Cancels the newest task: it is asked to stop, and its results are dropped.
     void cancel();
-    /// Asks the newest task to stop; it still tells what it has.
+    /// Asks the newest task to stop; it still reports its results.
     void stop() { m_current.request_stop(); }
 
 private:
@@ -51,8 +51,8 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::optional<Request> m_waiting; ///< guarded by m_mutex
-    std::stop_source m_current;       ///< of the newest task; UI thread
-    std::uint64_t m_generation = 0;   ///< UI thread
+    std::stop_source m_current;       ///< of the newest task; used only on the UI thread
+    std::uint64_t m_generation = 0;   ///< used only on the UI thread
     UiQueue m_replies;
     std::jthread m_thread;
 };

@@ -11,7 +11,7 @@ namespace proveout {
 namespace {
 
 constexpr double kShortestMs = 1000.0 / 30.0;
-constexpr double kBreath = 1.25; ///< of the painting time lies between two ticks
+constexpr double kBreath = 1.25; ///< minimum interval between two ticks, relative to the painting time
 constexpr double kSmoothing = 0.3;
 
 QEvent::Type paintedEvent() {
@@ -38,7 +38,7 @@ void RepaintTick::request() {
 void RepaintTick::fire() {
     m_sinceFired.start();
     emit fired();
-    // Repaints are posted with low priority; this event comes behind them, when all is painted.
+    // Repaints are posted with low priority; this event follows them, when everything is painted.
     QCoreApplication::postEvent(this, new QEvent(paintedEvent()), Qt::LowEventPriority - 1);
 }
 

@@ -7,8 +7,8 @@
 
 namespace proveout {
 
-/// The one clock of repaints: however often it is asked, it fires at most 30 times a second, and leaves a
-/// fifth of the time to the user's input where painting takes longer than that.
+/// The one clock for repaints: it fires at most 30 times per second however often it is requested, and if
+/// painting is slower than that, leaves a fifth of the time for user input.
 class RepaintTick : public QObject {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ public:
     explicit RepaintTick(QObject* parent = nullptr);
 
     void request();
-    /// Milliseconds that painting after a tick took lately.
+    /// Milliseconds that painting took after recent ticks.
     [[nodiscard]] double paintMilliseconds() const { return m_paintMs; }
 
     bool event(QEvent* event) override;

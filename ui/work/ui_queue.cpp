@@ -27,7 +27,8 @@ void UiQueue::post(std::function<void()> call) {
     QCoreApplication::postEvent(this, new QEvent(callEvent()));
 }
 
-/// One call an event: a call may destroy the queue with its owner, and Qt then drops the events that follow.
+/// One call per event: a call may destroy the queue together with its owner, and Qt then drops the remaining
+/// events.
 bool UiQueue::event(QEvent* event) {
     if (event->type() != callEvent())
         return QObject::event(event);

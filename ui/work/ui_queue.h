@@ -9,17 +9,17 @@
 
 namespace proveout {
 
-/// Hands calls from threads in the background over to the UI thread, in their order. What a call holds
-/// crosses under a mutex of our own, so ThreadSanitizer sees the handover (Qt's own queue is not
-/// instrumented). Calls that have not been made when the queue is destroyed are dropped. Owned on the UI
-/// thread by whoever starts the threads, which must end before it.
+/// Passes calls from background threads to the UI thread, in sequence. The data of a call is protected by a
+/// mutex of our own, so that ThreadSanitizer recognises the handover (Qt's own queue is not instrumented).
+/// Calls that are pending when the queue is destroyed are dropped. It lives on the UI thread, owned by the
+/// object that starts the threads, which must end before it.
 class UiQueue final : public QObject {
     Q_OBJECT
 
 public:
     explicit UiQueue(QObject* parent = nullptr);
 
-    /// Any thread; returns at once. The call is made by the event loop of the UI thread.
+    /// Any thread; returns immediately. The event loop of the UI thread makes the call.
     void post(std::function<void()> call);
 
 protected:

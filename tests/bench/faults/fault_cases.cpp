@@ -22,7 +22,7 @@ struct TableRow {
     std::vector<const char*> files;
 };
 
-/// The files of the corpus by their numbers in the table.
+/// The files of the corpus with their numbers in the table.
 const std::vector<TableRow>& tableRows() {
     static const std::vector<TableRow> rows{
         {1, {"empty", "percent-only"}},
@@ -156,8 +156,8 @@ std::vector<FaultCase> writeFaultCases(const fs::path& folder, const fs::path& s
     writeJobFaults(writer);
     if (big)
         writeBigFaults(writer);
-    returnFreedMemory(); // the peak of a child begins at what its parent holds
-    // Files that the table does not name come last.
+    returnFreedMemory(); // the measured peak of a child includes the memory of its parent
+    // Files that are not in the table come last.
     const auto place = [](const FaultCase& fault) { return fault.number == 0 ? 1000 : fault.number; };
     std::ranges::stable_sort(cases, {}, place);
     return cases;

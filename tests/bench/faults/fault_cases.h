@@ -9,28 +9,28 @@
 
 namespace proveout {
 
-/// What somebody else does to a file while it is open.
+/// What another program does to a file while it is open.
 enum class WhileOpen : std::uint8_t { nothing, changed, shrunk, removed };
 
 struct FaultCase {
-    int number = 0;             ///< in the table; 0: a file that the table does not name
-    std::string name;           ///< as the table has it
+    int number = 0;             ///< number in the table; 0: a file that is not in the table
+    std::string name;           ///< the name in the table
     std::filesystem::path file; ///< a program, or a job (*.proveout)
-    double seconds = 1;         ///< that the command line may take
+    double seconds = 1;         ///< time limit of the command line
     bool headless = true;
     bool window = true;
-    std::vector<std::string> setup = {}; ///< options in the place of the usual stock, grid and tool
+    std::vector<std::string> setup = {}; ///< options that replace the usual stock, grid and tool
     WhileOpen whileOpen = WhileOpen::nothing;
 };
 
-/// A case that is not one file to open.
+/// A case that does not consist of one file to open.
 struct FaultElsewhere {
     int number = 0;
     const char* what;
-    const char* test; ///< empty: nothing covers it
+    const char* test; ///< empty: no test covers it
 };
 
-/// A folder that goes with its files.
+/// A temporary folder, removed with its files.
 class FaultFolder {
 public:
     FaultFolder();
@@ -44,21 +44,21 @@ private:
     std::filesystem::path m_path;
 };
 
-/// All cases in the order of the table, written into `folder`: copies from `shared`/corpus, and what is made
-/// here. `big`: with those of hundreds of megabytes.
+/// All cases in the sequence of the table, written into `folder`: copies from `shared`/corpus, and generated
+/// files. `big`: includes those of hundreds of megabytes.
 [[nodiscard]] std::vector<FaultCase> writeFaultCases(const std::filesystem::path& folder,
                                                      const std::filesystem::path& shared, bool big);
 
 [[nodiscard]] const std::vector<FaultElsewhere>& faultsElsewhere();
 
-/// For a table: its number and its name, without line ends and what terminals obey.
+/// Number and name for a table, without line ends and terminal control characters.
 [[nodiscard]] std::string shownName(const FaultCase& fault);
 
-/// A message without the folder of the cases, its sentence shortened.
+/// A message without the path of the cases' folder, with a shortened sentence.
 [[nodiscard]] std::string shortened(const std::string& message, const std::filesystem::path& folder);
 
-/// Of messages in the form of oneLine(): the first error or fault, else the first warning, else the first
-/// note.
+/// From messages in the format of oneLine(): the first error or fault, otherwise the first warning, otherwise
+/// the first note.
 [[nodiscard]] std::string leadingMessage(const std::vector<std::string>& messages);
 
 /// Prints the rows of faultsElsewhere().

@@ -23,7 +23,7 @@ std::vector<std::string> linesOf(const std::filesystem::path& file) {
 std::vector<std::string> FaultRunner::commandLine(const FaultCase& fault) const {
     const bool isJob = fault.file.extension() == ".proveout";
     const bool isInside = fault.file.parent_path() == m_folder;
-    // Its own path says that a name like -x.ngc is no option.
+    // With "./" a name such as -x.ngc is not taken for an option.
     const std::string file = isInside ? "./" + fault.file.filename().string() : fault.file.string();
     std::vector<std::string> words{m_program.string(), "simulate"};
     if (isJob)

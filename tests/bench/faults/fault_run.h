@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case by the real command line, measured by the system.
+// Runs a case with the real command line, measured by the system.
 #pragma once
 
 #include <filesystem>
@@ -17,11 +17,11 @@ struct FaultRun : MeasuredRun {
 
 class FaultRunner {
 public:
-    /// Runs are in `folder`, with paths within it.
+    /// Runs are executed in `folder`, with relative paths.
     FaultRunner(std::filesystem::path program, std::filesystem::path folder)
         : m_program(std::move(program)), m_folder(std::move(folder)) {}
 
-    /// Simulates and exports. What takes a minute is ended.
+    /// Simulates and exports. A run of more than a minute is killed.
     [[nodiscard]] FaultRun run(const FaultCase& fault) const;
     [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
 

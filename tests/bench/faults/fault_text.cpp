@@ -22,7 +22,7 @@ std::string beginning(const std::string& text, std::size_t bytes) {
 std::string shownName(const FaultCase& fault) {
     Diagnostic named;
     named.file = fault.name;
-    const std::string line = oneLine(named); // escapes what it names
+    const std::string line = oneLine(named); // escapes the names in it
     return fmt::format("{} | {}", fault.number == 0 ? "–" : std::to_string(fault.number),
                        beginning(line.substr(0, line.find(": ")), 30));
 }

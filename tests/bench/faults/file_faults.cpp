@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the disk and its names do.
+// Faults of the disk and of file names.
 #include <filesystem>
 #include <stdexcept>
 #include <sys/stat.h>
@@ -37,7 +37,7 @@ void writeFileFaults(FaultWriter& writer) {
     addNoFile(writer, "folder", folder / "folder.ngc");
     addNoFile(writer, "gone", folder / "gone.ngc");
     addNoFile(writer, "folder-gone", folder / "gone" / "p.ngc");
-    if (::geteuid() != 0) { // who may read everything
+    if (::geteuid() != 0) { // root may read everything
         writer.put(37, "no-permission", ".ngc", kProgram);
         std::filesystem::permissions(folder / "no-permission.ngc", std::filesystem::perms::none);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Setups that cannot be, and job and stock files that are damaged or hostile.
+// Impossible setups, and damaged or hostile job and stock files.
 #include <fmt/format.h>
 #include <random>
 #include <stdexcept>
@@ -12,7 +12,7 @@ namespace proveout {
 
 namespace {
 
-/// A job; numbers stand as they are written.
+/// A job; numbers are copied as written.
 struct JobText {
     std::string width = "40";
     std::string length = "30";
@@ -36,7 +36,7 @@ void putJob(FaultWriter& writer, int number, const std::string& name, const JobT
     writer.put(number, name, ".proveout", textOf(job));
 }
 
-/// The same by options, which are words of their own.
+/// The same with command-line options, each a separate word.
 void putOptions(FaultWriter& writer, int number, const std::string& name, const std::string& stock,
                 const std::string& grid) {
     writer.add({.number = number,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes of stock of which the corpus has no file.
+// Stock meshes that are not in the corpus.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +41,7 @@ void append(std::string& bytes, Value value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Without normals.
+/// A binary STL without normals.
 std::string binaryStl(const Facets& facets, std::optional<std::uint32_t> announced = {}) {
     std::string bytes(80, ' ');
     append(bytes, announced.value_or(static_cast<std::uint32_t>(facets.size())));
@@ -108,7 +108,7 @@ FaultCase& putMesh(FaultWriter& writer, int number, const std::string& name, con
 }
 
 void writeManyFacets(FaultWriter& writer) {
-    putMesh(writer, 48, "facets-1.2M", binaryStl(waves(547)), 5).seconds = 3; // it is the loading that counts
+    putMesh(writer, 48, "facets-1.2M", binaryStl(waves(547)), 5).seconds = 3; // the test is about loading
     constexpr std::uint32_t kFacets = 100'000'000;
     putMesh(writer, 48, "facets-100M", binaryStl({}, kFacets));
     writer.lengthen("facets-100M.stl", 84 + std::uintmax_t{50} * kFacets);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that order what cannot be done, or not in the time and memory that there is.
+// Programs that specify something impossible, or impossible within the available time and memory.
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -79,7 +79,7 @@ void writeProgramFaults(FaultWriter& writer) {
 }
 
 void writeBigFaults(FaultWriter& writer) {
-    // A million lines a second are promised, of the reading alone.
+    // The guarantee is a million lines per second, for reading only.
     FaultCase& lines = writer.put(35, "lines-10M", ".ngc", manyLines(10'000'000));
     lines.seconds = 10;
     lines.setup = {"--stock", "40x30x10", "--grid", "0.5", "--tool", "1=flat:d=4,l=20", "--until", "1"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs with something wrong in their characters, words and expressions.
+// Programs with faults in their characters, words and expressions.
 #include <fmt/format.h>
 
 #include "tests/bench/faults/written_faults.h"

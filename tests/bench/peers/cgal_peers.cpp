@@ -19,7 +19,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Edge = boost::graph_traits<Mesh>::edge_descriptor;
 
-/// The edges of the map's rim stay, so that it remains covered.
+/// Keeps the edges at the map's rim, so that the map remains covered.
 struct OnRim {
     using key_type = Edge;
     using value_type = bool;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decimators of a height field, ours and those of other libraries, called alike.
+// Decimators of a height field, ours and those of other libraries, with a common interface.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ struct PeerMap {
 };
 
 struct PeerResult {
-    std::vector<LatticeTriangle> triangles;  ///< where the vertices are points of the map
-    std::vector<std::array<Vec3, 3>> facets; ///< where they have moved, mm
-    double seconds = 0;                      ///< CPU time of the decimation, without what it is given
+    std::vector<LatticeTriangle> triangles;  ///< if the vertices are points of the map
+    std::vector<std::array<Vec3, 3>> facets; ///< if the vertices have moved, mm
+    double seconds = 0;                      ///< CPU time of the decimation, without preparing its input
 };
 
-/// A decimator under one of its own rules. `faces` is what ours leaves at the surface level.
+/// A decimator with one of its own error measures. `faces` is the result of ours at the surface level.
 struct Peer {
     const char* name;
     const char* asked;
@@ -46,7 +46,7 @@ using Peers = std::vector<Peer>;
 /// The canonical full mesh of the whole map.
 [[nodiscard]] std::vector<LatticeTriangle> fullMesh(const PeerMap& map);
 [[nodiscard]] Vec3 pointOf(const PeerMap& map, std::uint32_t index);
-/// The point of the map that lies over a place, by rounding.
+/// The index of the map point nearest to a position.
 [[nodiscard]] std::uint32_t indexOf(const PeerMap& map, double x, double y);
 
 } // namespace proveout::bench

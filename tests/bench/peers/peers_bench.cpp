@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ours beside the decimators of other libraries, as far as they are installed, on the same map in one run:
-// triangles left, triangles in per second of CPU time, and the true vertical error, measured by an oracle
-// that shares no code with any of them. A table in Markdown.
+// Compares ours with the installed decimators of other libraries, on the same map in one run: triangles left,
+// triangles in per second of CPU time, and the true vertical error, measured by an oracle that shares no code
+// with any of them. Prints a Markdown table.
 //
 //     peers_bench MAP.npy SPACING [CELLS [ALLOWANCE]]     the CELLS × CELLS in the middle of a map
 #include <tbb/global_control.h>
@@ -21,7 +21,7 @@ namespace {
 using namespace proveout;
 using namespace proveout::bench;
 
-/// The middle of an array; heights count from the highest point.
+/// The middle of an array; heights are relative to the highest point.
 PeerMap cropped(const NpyArray& array, double spacing, int cells) {
     PeerMap map;
     map.nx = std::min(cells + 1, array.columns);
@@ -40,12 +40,12 @@ PeerMap cropped(const NpyArray& array, double spacing, int cells) {
     return map;
 }
 
-/// Twice the signed area in the plane.
+/// Twice the signed area in plan.
 double area(const Vec3& a, const Vec3& b, const Vec3& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Largest vertical distance of a point of the map from facets anywhere; infinity where none covers it.
+/// Largest vertical distance of a map point from arbitrary facets; infinity if a point is not covered.
 double distanceAtPoints(const PeerMap& map, const std::vector<std::array<Vec3, 3>>& facets) {
     std::vector<double> nearest(map.heights.size(), std::numeric_limits<double>::infinity());
     for (const auto& [a, b, c] : facets) {

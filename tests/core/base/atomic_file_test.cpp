@@ -105,7 +105,7 @@ TEST(AtomicFile, RefusesALinkThatLeadsToItself) {
     fs::create_symlink("b", folder / "a");
     fs::create_symlink("a", folder / "b");
     EXPECT_FALSE(readFile(folder / "a"));
-    static_cast<void>(writeFile(folder / "a", "x")); // whatever it says, it ends and leaves nothing behind
+    static_cast<void>(writeFile(folder / "a", "x")); // must end and leave no files
     EXPECT_EQ(folder.entries(), 2U);
 }
 
@@ -166,7 +166,7 @@ TEST(AtomicFile, FullDiskReportsTheBytesNeededAndKeepsTheOldFile) {
     EXPECT_EQ(folder.entries(), 1U);
 }
 
-/// What comes after the disk was found to be full is needed as well.
+/// The bytes that were written after the disk was full count as needed too.
 TEST(AtomicFile, FullDiskReportsTheBytesOfAllThatWasWritten) {
     const TemporaryFolder folder;
     const FileSizeLimit limit(2'000'000);
@@ -189,7 +189,7 @@ TEST(AtomicFile, FullDiskReportsTheBytesThatAreExpected) {
     EXPECT_EQ(folder.entries(), 0U);
 }
 
-/// Asked before hours of work: whether the file can be written, and has room.
+/// Checks before hours of work whether the file can be written and there is enough space.
 TEST(AtomicFile, IsReadyOnlyWhereItCanBeWritten) {
     const TemporaryFolder folder;
     const auto reported = [](const fs::path& file, std::uint64_t bytes) {
@@ -207,7 +207,7 @@ TEST(AtomicFile, IsReadyOnlyWhereItCanBeWritten) {
     EXPECT_EQ(folder.entries(), 0U);
 }
 
-/// Saves "A…A" and "B…B" in turn until it is killed.
+/// Saves "A…A" and "B…B" alternately until the process is killed.
 [[noreturn]] void saveForever(const fs::path& target) {
     for (char letter = 'A';; letter = letter == 'A' ? 'B' : 'A')
         static_cast<void>(writeFile(target, std::string(200'000, letter)));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto kNone = std::numeric_limits<std::uint64_t>::max();
 
-/// Trees of files as Linux shows them.
+/// File trees as Linux provides them.
 class ControlGroups : public testing::Test {
 protected:
     void put(const std::string& file, const std::string& text) const {
@@ -51,7 +51,7 @@ TEST_F(ControlGroups, OfNestedOnesTheTightestCounts) {
     putVersion2("/user.slice", "8000", 7100);
     putVersion2("/user.slice/job.scope", "5000", 1000);
     putVersion2("/user.slice/job.scope/part", "max", 900);
-    putVersion2("/user.slice/other.scope", "10", 9); // not ours
+    putVersion2("/user.slice/other.scope", "10", 9); // another process
     EXPECT_EQ(read().limit, 5000U);
     EXPECT_EQ(read().available, 900U) << "of user.slice, for others of its groups use the rest";
 }
@@ -74,7 +74,7 @@ TEST_F(ControlGroups, ThoseOfVersion1AreReadAsWell) {
 }
 
 TEST_F(ControlGroups, WithinAContainerOfVersion1TheTopFolderIsTheOwnGroup) {
-    putOwnGroups("4:memory:/docker/abc\n"); // as the host calls it
+    putOwnGroups("4:memory:/docker/abc\n"); // the path as seen by the host
     putVersion1("", 6000, 2000);
     EXPECT_EQ(read().available, 4000U);
 }
@@ -94,7 +94,7 @@ TEST_F(ControlGroups, MoreUsedThanAllowedLeavesNothing) {
     putOwnGroups("0::/b\n");
     putVersion2("/b", "3000", 8000);
     EXPECT_EQ(read().available, 0U);
-    put("groups/b/memory.stat", "inactive_file 99999999\n"); // more than is used at all
+    put("groups/b/memory.stat", "inactive_file 99999999\n"); // more than is in use
     EXPECT_EQ(read().available, 3000U);
 }
 

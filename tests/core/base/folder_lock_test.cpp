@@ -12,7 +12,7 @@
 namespace proveout {
 namespace {
 
-/// Each adds one to the number that it reads; without turns some would be lost.
+/// Each process increments the number that it reads; without the lock some increments would be lost.
 TEST(FolderLock, NothingThatAnotherHasWrittenIsLost) {
     const TemporaryFolder folder;
     folder.put("count", "0");

@@ -15,7 +15,7 @@ namespace {
 
 using Lines = std::vector<std::string_view>;
 
-/// What `before` becomes by the changes, with lines of `after` alone for what is inserted.
+/// Applies the changes to `before`, taking only inserted lines from `after`.
 Lines applied(const Lines& before, const Lines& after, const std::vector<LineChange>& changes) {
     Lines result;
     std::size_t at = 0;
@@ -37,7 +37,7 @@ std::size_t edits(const std::vector<LineChange>& changes) {
     return count;
 }
 
-/// The fewest edits by the table of longest common subsequences.
+/// The minimum number of edits, from the table of longest common subsequences.
 std::size_t fewestEdits(const Lines& before, const Lines& after) {
     std::vector<std::vector<std::size_t>> common(before.size() + 1,
                                                  std::vector<std::size_t>(after.size() + 1, 0));

@@ -31,7 +31,7 @@ TEST(PersistentArray, CopiesShareUntilOneOfThemIsWritten) {
     EXPECT_EQ(&array[0], written) << "an own chunk is written in place";
 }
 
-/// Any sequence of copies, edits, appends and truncations acts like vectors that are copied whole.
+/// Any sequence of copies, edits, appends and truncations behaves like vectors that are copied completely.
 TEST(PersistentArray, ActsLikeAVectorThatIsCopied) {
     const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);
@@ -84,7 +84,7 @@ TEST(PersistentArray, ActsLikeAVectorThatIsCopied) {
     }
 }
 
-/// What the simulation does: one thread writes and publishes copies, others copy and read what was published.
+/// The simulation's use: one thread writes and publishes copies, others copy and read what was published.
 TEST(PersistentArray, ReadersOfACopyNeverSeeTheWriter) {
     PersistentArray<int> array(1000, 0);
     const PersistentArray<int> published = array;

@@ -68,7 +68,7 @@ TEST(UnfinishedFiles, OfAKilledProcessAreRemovedByTheNextWriteIntoTheFolder) {
 TEST(UnfinishedFiles, OfAnotherComputerAndOfTheUserStay) {
     const TemporaryFolder folder;
     std::string elsewhere = unfinishedName();
-    for (std::size_t i = 10; i < 18; ++i) // the digits that stand for the computer
+    for (std::size_t i = 10; i < 18; ++i) // the digits that identify the computer
         elsewhere[i] = elsewhere[i] == 'f' ? '0' : 'f';
     const std::string mine = unfinishedName();
     fs::create_symlink("target", folder / mine);
@@ -86,7 +86,7 @@ TEST(UnfinishedFiles, AFileWithoutANameIsNotClaimed) {
     const fs::path part = folder / unfinishedName();
     const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT, 0600);
     ASSERT_GE(descriptor, 0);
-    removeUnfinished(folder.path()); // between the two steps of its writer
+    removeUnfinished(folder.path()); // at a moment between the two steps of its writer
     EXPECT_FALSE(fs::exists(part));
     EXPECT_FALSE(claimUnfinished(descriptor));
     ::close(descriptor);

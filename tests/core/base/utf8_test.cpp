@@ -43,8 +43,7 @@ TEST(Utf8, IsDistinguishedFromOtherBytes) {
     EXPECT_FALSE(isUtf8("\xf4\x90\x80\x80")); // beyond the last code
 }
 
-/// Every length of every text: what is left is a beginning, no longer than asked for, and cuts nothing in
-/// two.
+/// For every length of every text: the result is a prefix, no longer than requested, and splits no character.
 TEST(Utf8, IsShortenedBetweenCharacters) {
     for (const std::string text : {"", "abc", "\xc3\xa4\xc3\xb6", "a\xe2\x8c\x80z", "\xf0\x9f\x94\xa7"}) {
         for (std::size_t bytes = 0; bytes <= text.size() + 2; ++bytes) {

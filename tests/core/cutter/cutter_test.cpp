@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Profiles against the closed formula of each shape.
+// Compares profiles with the closed formula of each shape.
 #include "core/cutter/cutter.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Expected {
     std::function<double(double)> height;
 };
 
-/// A side that leans by `lean` degrees from (3, 0), its corner rounded by `corner`.
+/// The height of a side inclined by `lean` degrees from (3, 0), whose corner has radius `corner`.
 double roundedSide(double r, double lean, double corner) {
     const double radians = lean * std::numbers::pi / 180;
     const double ring = 3 - corner * std::tan(std::numbers::pi / 4 - radians / 2);
@@ -92,7 +92,7 @@ TEST(Cutter, HeightsFollowTheFormulaOfTheShape) {
         EXPECT_NEAR(cutter.rimHeight(), expected.rim, 1e-12);
         for (int k = 0; k <= 100; ++k) {
             const double r = expected.radius * k / 100;
-            // Beside a wall and where an arc ends upright, rounding of the radius decides.
+            // Next to a wall and where an arc ends vertically, rounding of the radius decides the result.
             EXPECT_NEAR(cutter.height(r), expected.height(r), 1e-7) << "at radius " << r;
         }
     }
@@ -108,7 +108,7 @@ TEST(Cutter, TheRimBelongsToTheCutterAndNothingBeyond) {
     }
 }
 
-/// From the axis outwards, without gaps.
+/// Expects pieces from the axis outwards without gaps.
 void expectRising(const std::vector<ProfilePiece>& pieces) {
     double r = 0;
     double z = 0;
@@ -182,7 +182,7 @@ TEST(Cutter, BacksOfHeadsFollowTheFormulaOfTheShape) {
         EXPECT_FALSE(parseCutter(spec).value().head()) << spec;
 }
 
-/// Where an arc stands upright, kUprightPart of its radii is its wall.
+/// Where an arc is vertical, kUprightPart of its radii count as its wall.
 bool uprightAt(const ProfilePiece& arc, double r) {
     return r < arc.centreR - arc.radius + kUprightPart || r > arc.centreR + arc.radius - kUprightPart;
 }

@@ -8,7 +8,7 @@
 
 namespace proveout {
 
-/// The spec of a shape with all its own keys at what a dialog proposes.
+/// The spec of a shape with the values that a dialog proposes for all of its keys.
 inline std::string defaultSpecOf(const CutterShape& shape) {
     std::string spec;
     for (const ShapeKey& key : shape.keys)

@@ -39,7 +39,7 @@ TEST(ParseCutter, NeverMakesFlutesShorterThanTheProfileByDefault) {
 struct Bad {
     const char* spec;
     const char* id;
-    const char* says; ///< a part of the sentence
+    const char* says; ///< part of the sentence
 };
 
 class BadCutters : public testing::TestWithParam<Bad> {};
@@ -181,7 +181,7 @@ TEST(ParseCutter, AnyTextIsAProfileOrAMessage) {
 }
 
 TEST(ParseCutter, TakesProfilesThatAreWrittenWithThreeDecimals) {
-    // A corner of 1.5 mm that leaves a side of 10° at its tangent point.
+    // A corner of 1.5 mm that continues at its tangent point as a side of 10°.
     EXPECT_TRUE(parseCutter("form:p=0/0:4/0:5.477/1.240@4/1.5:7/9.878").has_value());
 }
 

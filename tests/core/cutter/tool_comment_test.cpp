@@ -38,7 +38,7 @@ TEST_P(KnownComments, StateTheTool) {
     EXPECT_EQ(tool.number.value_or(-1), row.number) << row.comment;
 }
 
-// Sizes in inches are written in mm here by hand: 1/4" is 6.35 mm.
+// The expected mm of sizes in inches are converted by hand: 1/4" is 6.35 mm.
 const CommentRow kFusion[] = {
     {"T1 D=6. CR=0. - ZMIN=-5. - FLAT END MILL", 1, "flat:d=6"},
     {"T3 D=0.125 CR=0.0625 - ZMIN=-0.54 - BALL END MILL", 3, "ball:d=3.175", true},
@@ -56,7 +56,7 @@ const CommentRow kMastercam[] = {
     {" T1 | 1/4 FLAT ENDMILL | H1 | D1 | TOOL DIA. - .25 ", 1, "flat:d=6.35", true},
     {"T2 - 3/8 BALL ENDMILL - H2 - D2 - D0.3750\" - R0.1875\"", 2, "ball:d=9.525"},
     {"T1 | 10. FLAT ENDMILL | H1 | D10.", 1, "flat:d=10"},
-    // The number of the tool is that of its register where another number is the size.
+    // If several numbers are possible, the tool number is that of the register and the other one is the size.
     {"T5 D5 12MM ENDMILL", 5, "flat:d=12"},
     {"12MM ENDMILL D5 T5", 5, "flat:d=12"},
     {"T5 D5 1/2 ENDMILL", 5, "flat:d=12.7", true},

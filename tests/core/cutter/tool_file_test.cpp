@@ -19,7 +19,7 @@ protected:
         m_folder.put("t.toml", text);
         return readToolFile(m_folder / "t.toml");
     }
-    /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the table was read.
+    /// All messages, one "LINE:COLUMN sentence [id]" per line; empty if the table was read.
     std::string reported(const std::string& text) {
         const auto tools = read(text);
         std::string out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arcs, helices and spirals in all planes against the brute-force oracle.
+// Compares arcs, helices and spirals in all planes with the brute-force oracle.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace proveout {
 namespace {
 
-/// A tenth of the promised 1e-3 mm.
+/// A tenth of the guaranteed 1e-3 mm.
 constexpr double kAllowed = 1e-4;
 constexpr int kSamples = 1000;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sequences of motions against the same motions one by one.
+// Compares sequences of motions with the same motions one by one.
 #include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 const StockBox kStock{{-3, 5, 2}, 50, 40, 12};
 
-/// Motions of all shapes and kinds; some have no cutter, some no known path.
+/// Motions of all shapes and kinds; some have no cutter, some an unknown path.
 struct RandomSequence {
     std::vector<Cutter> cutters;
     std::vector<CutterMotion> motions;
@@ -65,7 +65,7 @@ TEST(CutSequence, IsTheMotionsOneByOne) {
         for (const std::size_t threads : {1U, 2U, 4U}) {
             const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
             ZMap zmap = freshMap(spacing);
-            const ZMapSnapshot held = zmap.snapshot(); // every tile is copied before it is written
+            const ZMapSnapshot held = zmap.snapshot(); // forces a copy of every tile before it is written
             const auto found = cut(zmap, sequence.motions, {});
             ASSERT_TRUE(found);
             EXPECT_TRUE(
@@ -134,7 +134,8 @@ TEST(CutSequence, LosesWhatTheMapLoses) {
         removed += record.removedMm3;
         points += static_cast<double>(record.points);
     }
-    // What a point loses is rounded as its height is; from one plane to another all of them alike.
+    // The height removed at a point is rounded like the height itself; between two planes all points are
+    // rounded alike.
     const double rounding = std::ldexp(zmap.stock().height, -24);
     EXPECT_NEAR(removed, before - zmap.snapshot().volume(),
                 rounding * points * zmap.grid().hx * zmap.grid().hy);

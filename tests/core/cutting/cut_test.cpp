@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The properties of cut() that hold for every motion, and its edges.
+// Properties of cut() that hold for every motion, and edge cases.
 #include "core/cutting/cut/cutting.h"
 
 #include <algorithm>
@@ -22,15 +22,15 @@ namespace proveout {
 namespace {
 
 const StockBox kStock{{-3, 5, 2}, 80, 70, 12};
-/// Points far apart are computed in double precision, points close together in single precision and by
+/// Points far apart are computed in double precision, points close together in single precision and in
 /// blocks.
 struct Map {
     StockBox stock;
     double spacing;
-    bool arcs; ///< among the motions: they are double precision everywhere, and slow on many points
+    bool arcs; ///< whether to include arcs: they always use double precision, which is slow on many points
 };
 const Map kMaps[] = {{kStock, 0.9, true}, {{{-3, 5, 2}, 30, 26, 12}, 0.15, false}};
-/// One or more of every form of a piece, walls and hollows among them.
+/// At least one of each kind of profile piece, including walls and hollows.
 const std::vector<std::string> kShapes = {"flat", "ball", "bull", "cone", "taperball", "centre", "form"};
 
 ZMap freshMap(const StockBox& stock = kStock, double spacing = 0.9) {
@@ -49,7 +49,7 @@ std::vector<float> heightsOf(const ZMap& zmap) {
     return heights;
 }
 
-/// Every fourth is an arc, if there are any.
+/// Every fourth motion is an arc, if arcs are allowed.
 Motion randomMotion(Random& random, const StockBox& stock, bool arcs) {
     if (random() % 4 == 0 && arcs)
         return randomArc(random, stock, static_cast<Plane>(random() % 3), static_cast<ArcKind>(random() % 4));
@@ -70,7 +70,7 @@ std::vector<Job> randomJobs(Random& random, int count, const StockBox& stock = k
     return jobs;
 }
 
-/// Calls `check(job, random)` for one random motion a seed, from 1 on.
+/// Calls `check(job, random)` with one random motion per seed, from seed 1.
 template<class Check>
 void forRandomJobs(unsigned seeds, const StockBox& stock, const Check& check) {
     for (unsigned seed = 1; seed <= seeds; ++seed) {
@@ -81,7 +81,7 @@ void forRandomJobs(unsigned seeds, const StockBox& stock, const Check& check) {
     }
 }
 
-/// Calls `check(random, map, jobs)` for so many random motions a seed and map, from seed 1 on.
+/// Calls `check(random, map, jobs)` with the given number of random motions per seed and map, from seed 1.
 template<class Check>
 void forRandomMaps(unsigned seeds, int motions, const Check& check) {
     for (const Map& map : kMaps) {
@@ -93,8 +93,8 @@ void forRandomMaps(unsigned seeds, int motions, const Check& check) {
     }
 }
 
-/// How far a height is from the envelope at a point. Within 2e-5 mm over ground, which is what rounding
-/// leaves of a place, it may be any: near a rim that is much height.
+/// The difference of a height from the envelope at a point. Any height within 2e-5 mm in plan is accepted,
+/// which is the rounding error of a position: near a rim that is a large difference in height.
 double differenceFromEnvelope(const Job& job, const StockBox& stock, const Vec2& at, double height) {
     const auto heightAt = [&](const Vec2& place) {
         const double z = envelope(job.cutter, job.motion, place.x, place.y) - stock.topZ();
@@ -198,7 +198,7 @@ TEST(Cut, SplittingAMotionChangesNothing) {
     });
 }
 
-/// What lies how far beside a straight path.
+/// Which part of the cutter's width along a straight path is engaged.
 class Engagement {
 public:
     explicit Engagement(const Motion& motion) : m_motion(motion) {}
@@ -243,8 +243,8 @@ TEST(Cut, RecordsTheRadialEngagementOnArcs) {
             const CutRecord slot = round(15);
             EXPECT_NEAR(slot.engagedFrom, -3, 0.05);
             EXPECT_NEAR(slot.engagedTo, 3, 0.05);
-            // What is left lies on the outer side: right where the path turns left. Open ends and steps of a
-            // helix engage more.
+            // The material is on the outer side: on the right if the path turns left. Open ends and steps of
+            // a helix engage more.
             if (climb != 0 || std::abs(sweep) < 2 * kPi)
                 continue;
             const CutRecord wider = round(16.5);
@@ -341,8 +341,8 @@ TEST(Cut, CutsAPointExactlyOnTheRim) {
             (void)cut(zmap, cutter,
                       straightMotion({origin + 10, -origin + 10, z}, {origin + 10, -origin + 10, z}));
             const ZMapSnapshot moment = zmap.snapshot();
-            // The rim runs through the points at 5 mm along the axes, and through those of the triangle
-            // 3-4-5.
+            // The rim passes through the points at 5 mm along the axes, and through those of the 3-4-5
+            // triangle.
             for (const auto& [i, j] : {std::pair{30, 20}, {10, 20}, {20, 30}, {20, 10}, {26, 28}, {12, 14}})
                 EXPECT_NEAR(moment.height(i, j), -1, 2e-3) << i << "," << j;
             EXPECT_EQ(moment.height(31, 20), 0.0F);
@@ -350,8 +350,8 @@ TEST(Cut, CutsAPointExactlyOnTheRim) {
     }
 }
 
-/// The largest difference between a motion on a grid and on one that is shifted by whole cells, where it
-/// lands on other places of the tiles.
+/// The largest difference between a motion on a grid and on a grid that is shifted by whole cells, so that
+/// the points are at other places in their tiles.
 double differenceAcrossTiles(double spacing, int shift) {
     const Cutter cutter = cutterOf("bull:d=9,r=2");
     const Motion motion = straightMotion({10.3, 8.7, -1}, {27.1, 21.9, -6});
@@ -372,8 +372,8 @@ double differenceAcrossTiles(double spacing, int shift) {
 TEST(Cut, IsTheSameAcrossTileBoundaries) {
     for (const int shift : {1, 15, 31, 32, 33}) {
         EXPECT_EQ(differenceAcrossTiles(1, shift), 0) << shift;
-        // Points close together are seen from their tile in single precision, which rounds otherwise
-        // elsewhere.
+        // Points close together are computed relative to their tile in single precision, so rounding depends
+        // on the tile.
         EXPECT_LT(differenceAcrossTiles(0.125, shift), 5e-5) << shift;
     }
 }
@@ -440,8 +440,8 @@ TEST(Cut, LeavesTheMapAsItWasWhereItIsStopped) {
     Random random(seed);
     int stopped = 0;
     for (int round = 0; round < roundsOf(40); ++round) {
-        // Grids from light to heavy work; the first rounds are stopped before they begin, and are heavy
-        // enough to look.
+        // Grids from coarse to fine; the first rounds are stopped before they start, and are long enough to
+        // check for that.
         const double spacing = round % 2 == 0 ? 0.9 : 0.04;
         const Job job = round < 4 ? Job{cutterOf("ball:d=40"), straightMotion({-3, 20, -4}, {80, 50, -5})}
                                   : randomJobs(random, 1)[0];
@@ -472,7 +472,7 @@ TEST(Cut, LeavesTheMapAsItWasWhereItIsStopped) {
 }
 
 TEST(Cut, CutsTheLongestArcThatAProgramMayHave) {
-    // Over 20 mm such an arc is its tangent to a ten thousandth of a millimetre.
+    // Over 20 mm such an arc deviates from its tangent by less than a ten thousandth of a millimetre.
     const double radius = kLongestArc / (2 * std::numbers::pi) * 0.999999;
     const Motion arc = arcMotion(Plane::xy, {10 + radius, 20, -3}, radius, std::numbers::pi,
                                  -2 * std::numbers::pi, 0, radius);

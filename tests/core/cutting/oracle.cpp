@@ -12,15 +12,16 @@ namespace proveout {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRimMask = 2e-5; // where a micrometre over ground is many of height
+constexpr double kRimMask = 2e-5; // near walls, a micrometre in plan is many in height
 
-/// The profile by its shape's own formula would be more independent still; Cutter::height is checked against
-/// those in cutter_test.
+/// The formula of each shape would be more independent; Cutter::height is checked against those in
+/// cutter_test.
 double heightOver(const Cutter& cutter, double distance) {
     return distance <= cutter.radius() ? cutter.height(distance) : kInfinity;
 }
 
-/// Golden section on a triple a < m < b with f(m) no higher than both; what is infinite counts as high.
+/// Golden section search on a triple a < m < b with f(m) not above f(a) and f(b); infinite values count as
+/// high.
 template<class Function>
 double refine(const Function& f, double a, double m, double b) {
     constexpr double kGolden = 0.381966011250105;
@@ -40,7 +41,7 @@ double refine(const Function& f, double a, double m, double b) {
     return m;
 }
 
-/// The radii at which the profile stands upright.
+/// The radii at which the profile is vertical.
 std::vector<double> wallsOf(const Cutter& cutter) {
     std::vector<double> walls = {cutter.radius()};
     const auto& pieces = cutter.pieces();
@@ -56,7 +57,7 @@ std::vector<double> wallsOf(const Cutter& cutter) {
     return walls;
 }
 
-/// A place on the path, as seen from the point.
+/// A position on the path, relative to the point.
 struct Place {
     double t;
     double distance;
@@ -95,7 +96,7 @@ private:
         m_places.erase(twice.begin(), twice.end());
     }
 
-    /// The local minima of the distance. Tells whether one of them is at a wall.
+    /// Adds the local minima of the distance. Returns whether one of them is at a wall.
     bool addNearest() {
         const std::vector<double> walls = wallsOf(m_cutter);
         const auto atWall = [&](const Place& place) {
@@ -111,7 +112,7 @@ private:
             if ((k > 0 && m_places[k - 1].distance <= place.distance) ||
                 (k < last && m_places[k + 1].distance < place.distance))
                 continue;
-            // A minimum may hide beside an end.
+            // A minimum may be next to an end.
             const double a = k > 0 ? m_places[k - 1].t : 0;
             const double b = k < last ? m_places[k + 1].t : 1;
             nearest.push_back(at(refine(distance, a, k == 0 || k == last ? (a + b) / 2 : place.t, b)));
@@ -122,8 +123,8 @@ private:
         return onRim;
     }
 
-    /// The places at which the path comes under another piece of the profile, on both sides, and some about
-    /// them.
+    /// The positions at which the point passes to another piece of the profile, on both sides, and some
+    /// around them.
     void addCrossings() {
         std::vector<Place> crossings;
         for (std::size_t k = 0; k + 1 < m_places.size(); ++k) {
@@ -142,7 +143,7 @@ private:
                 }
                 crossings.push_back(inside);
                 crossings.push_back(at(outside));
-                // Beyond a wall it may fall to yet another minimum before the next sample.
+                // Beyond a wall the height may fall to another minimum before the next sample.
                 for (const std::size_t side : {k, k + 1})
                     for (const double part : {0.25, 0.5, 0.75})
                         crossings.push_back(at(inside.t + part * (m_places[side].t - inside.t)));
@@ -161,7 +162,7 @@ private:
             if (place.height == kInfinity || (k > 0 && m_places[k - 1].height < place.height) ||
                 (k < last && m_places[k + 1].height < place.height))
                 continue;
-            // Of a level stretch its first place is enough.
+            // The first position of a level part is sufficient.
             if (k > 1 && m_places[k - 1].height == place.height && m_places[k - 2].height == place.height)
                 continue;
             best = std::min(best, height(refine(height, m_places[k > 0 ? k - 1 : k].t, place.t,

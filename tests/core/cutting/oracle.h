@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The envelope by brute force, written without a look at the kernels: dense samples of the path and the
-// places where pieces of the profile meet, each local minimum of the distance and of the height refined by
-// golden section.
+// The envelope by brute force, implemented independently of the kernels: dense samples of the path and the
+// positions where pieces of the profile meet, with each local minimum of the distance and of the height
+// refined by golden section search.
 #pragma once
 
 #include <vector>
@@ -12,15 +12,15 @@
 namespace proveout {
 
 struct OracleHeight {
-    double z;   ///< absolute; +infinity where the cutter never comes
-    bool onRim; ///< a nearest place of the path is within 2e-5 mm of the rim, or of another upright wall of
-                ///< the profile: not to be compared
+    double z;   ///< absolute; +infinity where the cutter never passes
+    bool onRim; ///< the nearest position of the path is within 2e-5 mm of the rim or of another vertical wall
+                ///< of the profile: not comparable
 };
 
-/// The places of the tip; the formula of the contract in motion.h, once more.
+/// The positions of the tip, from a second implementation of the formula in motion.h.
 class OraclePath {
 public:
-    /// With so many samples, evenly from 0 to 1, taken once for all points.
+    /// With the given number of evenly spaced samples from 0 to 1, computed once for all points.
     OraclePath(const Motion& motion, int samples);
 
     [[nodiscard]] Vec3 at(double t) const;
@@ -28,7 +28,7 @@ public:
 
 private:
     Motion m_motion;
-    double m_radius = 0; ///< of an arc, and its angle at the start
+    double m_radius = 0; ///< of an arc, followed by its start angle
     double m_widening = 0;
     double m_angle = 0;
     std::vector<Vec3> m_samples;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stays above a head that is wider than its neck: against closed formulas, to the order of the spacing
-// as in volume_test.cpp, and against brute force.
+// Material that remains above a head wider than its neck, compared with closed formulas, to the order of the
+// spacing as in volume_test.cpp, and with brute force.
 #include "core/cutting/cut/overhang.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Overhang cutAndMeasure(ZMap& zmap, const Cutter& cutter, const Motion& motion) {
     return overhangLeft(before, zmap.snapshot(), record.changed, cutter, motion, {}).value();
 }
 
-/// From edge to edge in the middle of the stock.
+/// A motion from edge to edge through the middle of the stock.
 Motion across(double z) {
     return straightMotion({-20, 20, z}, {80, 20, z});
 }
@@ -103,13 +103,13 @@ TEST(Overhang, WeighsPointsOnTheEdgeHalf) {
     EXPECT_NEAR(left.volumeMm3, 5.5 * 60 * 7, 1);
 }
 
-/// The height of material over a point that no position of the head or the neck takes, of many along the
-/// path.
+/// The height of material over a point that no position of the head or the neck removes, from many positions
+/// along the path.
 double bruteForceHeight(const Cutter& cutter, const Motion& motion, const Vec2& at, double hi, double lo) {
     constexpr int kPlaces = 20000;
     const NeckedHead& head = *cutter.head();
     std::vector<Vec2> layers;
-    double step = 0; // what the tip rises or falls between two places
+    double step = 0; // change in height of the tip between two positions
     for (int k = 0; k <= kPlaces; ++k) {
         const Vec3 tip = oraclePoint(motion, static_cast<double>(k) / kPlaces);
         step = std::max(step, std::abs(tip.z - oraclePoint(motion, (k + 1.0) / kPlaces).z));

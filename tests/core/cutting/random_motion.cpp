@@ -20,7 +20,7 @@ double uniform(Random& random, double lo, double hi) {
 
 namespace {
 
-/// The rest of a spec for a cutter that is `d` mm wide.
+/// The rest of a spec for a cutter of width `d` mm.
 struct RandomSpec {
     const char* shape;
     std::string (*keys)(Random& random, double d);
@@ -98,7 +98,7 @@ std::string dovetailKeys(Random& random, double d) {
     return fmt::format("d={},angle={},h={},r={}", d, angle, d * 0.3, partOf(random, d, 0.12));
 }
 
-/// Adds a point to a profile by one of the ways that there are, and moves `last` there.
+/// Adds a point to a profile in one of the possible ways, and moves `last` to it.
 std::string randomFormPoint(Random& random, double size, Vec2& last) {
     const double radius = size * std::pow(10.0, uniform(random, -0.5, 1));
     double from = uniform(random, 0, std::numbers::pi / 2);
@@ -109,7 +109,7 @@ std::string randomFormPoint(Random& random, double size, Vec2& last) {
         from = 0;
     if (oneIn(random, 3))
         to = std::numbers::pi / 2;
-    // Large arcs in full would make large cutters.
+    // Complete large arcs would make large cutters.
     const double width = std::min(1.0, size / radius);
     to = from + (to - from) * width;
     Vec2 step(uniform(random, 0.1, 1) * size, uniform(random, 0, 1) * size);
@@ -167,7 +167,7 @@ Cutter randomCutter(Random& random, const std::string& shape) {
     const auto row =
         std::ranges::find_if(kSpecs, [&](const RandomSpec& spec) { return shape == spec.shape; });
     const double d = uniform(random, 2, 12);
-    if (row == std::end(kSpecs)) { // a new shape: as dialogs propose it
+    if (row == std::end(kSpecs)) { // for a new shape, uses the values that dialogs propose
         const auto known = std::ranges::find(cutterShapes(), shape, &CutterShape::key);
         return cutterOf(known == cutterShapes().end() ? shape : defaultSpecOf(*known));
     }
@@ -234,7 +234,7 @@ Motion randomStraight(Random& random, const StockBox& stock, StraightKind kind) 
         end = start;
         break;
     }
-    // Every fourth runs along an axis or a diagonal, where special cases lie.
+    // Every fourth motion is parallel to an axis or a diagonal, which are special cases.
     if (random() % 4 == 0) {
         if (random() % 2 == 0)
             end.x = start.x;
@@ -271,7 +271,7 @@ std::string reported(const Cutter& cutter, const Motion& m) {
 
 namespace {
 
-/// How far a height of the map is from the oracle's; 0 where that cannot be told.
+/// The difference between a height of the map and that of the oracle; 0 if they are not comparable.
 double errorAt(const ZMapSnapshot& moment, int i, int j, const Cutter& cutter, const OraclePath& path) {
     const Grid& grid = moment.grid();
     const StockBox& stock = moment.stock();

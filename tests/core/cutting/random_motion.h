@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random cutters and motions over a small stock.
+// Random cutters and motions for a small stock.
 #pragma once
 
 #include <random>
@@ -30,14 +30,14 @@ enum class StraightKind { level, sloped, steep, plunge, still };
 enum class ArcKind { level, helix, spiral, turns };
 [[nodiscard]] Motion randomArc(Random& random, const StockBox& stock, Plane plane, ArcKind kind);
 
-/// What to print when a random case fails.
+/// The text that is printed when a random case fails.
 [[nodiscard]] std::string reported(const Cutter& cutter, const Motion& motion);
 
-/// The largest difference of `cut` from the oracle over every `stride`-th row and column of points of a fresh
-/// map, rim points left out.
+/// The largest difference of `cut` from the oracle over every `stride`-th row and column of a fresh map,
+/// without points on the rim.
 [[nodiscard]] double largestError(const Cutter& cutter, const Motion& motion, const StockBox& stock,
                                   double spacing, int samples, int stride = 1);
-/// The same over so many random points near the path.
+/// The same over the given number of random points near the path.
 [[nodiscard]] double largestErrorNear(Random& random, const Cutter& cutter, const Motion& motion,
                                       const StockBox& stock, double spacing, int samples, int points);
 

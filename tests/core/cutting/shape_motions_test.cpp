@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every shape of the table on every kind of motion against the brute-force oracle, at random points.
-// PROVEOUT_MOTIONS sets how many motions each of them does; PROVEOUT_SEED the seed, which is printed.
+// Every shape of the table with every kind of motion, compared with the brute-force oracle at random points.
+// PROVEOUT_MOTIONS sets the number of motions for each; PROVEOUT_SEED sets the seed, which is printed.
 #include <array>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -17,11 +17,11 @@ namespace proveout {
 namespace {
 
 const StockBox kStock{{-3, 5, 2}, 24, 18, 30};
-/// The promise.
+/// The guaranteed accuracy.
 constexpr double kAllowed = 1e-3;
 constexpr int kPoints = 10;
-/// Points close together are computed in single precision, and where there are many, leads are fitted; points
-/// far apart in double precision.
+/// Points close together are computed in single precision, with fitted leads if there are many; points far
+/// apart in double precision.
 constexpr std::array kSpacings = {0.15, 1.5, 0.05, 0.5};
 
 template<StraightKind kind>
@@ -37,7 +37,7 @@ Motion arc(Random& random) {
 struct MotionRow {
     const char* name;
     Motion (*make)(Random& random);
-    int samples; ///< of the oracle
+    int samples; ///< for the oracle
 };
 
 void PrintTo(const MotionRow& row, std::ostream* out) {

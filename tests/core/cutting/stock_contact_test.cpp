@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a probe touches the stock: closed formulas, and a search by brute force over dense columns and times
-// that asks the envelope alone.
+// Where a probe touches the stock, compared with closed formulas and with a brute-force search over dense
+// columns and times that uses only the envelope.
 #include "core/cutting/cut/stock_contact.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ const StockBox kStock{{0, 0, 0}, 40, 30, 10};
 constexpr double kTolerance = StockContact::kTolerance;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// A stock that was cut, asked through all its cuts.
+/// A stock after its cuts, which are all considered in a query.
 struct CutStock {
     std::vector<PastCut> cuts;
     StockContact contact{kStock, [this](const Vec2&, const Vec2&) { return cuts; }, {}};
@@ -29,7 +29,7 @@ struct CutStock {
     CutStock(const CutStock&) = delete;
     CutStock& operator=(const CutStock&) = delete;
 
-    /// Millimetres of the way before the touch.
+    /// The way in mm until the touch.
     [[nodiscard]] double way(const Cutter& cutter, const Vec3& start, const Vec3& end) const {
         const auto time = contact.firstTouch(cutter, start, end);
         return time ? *time * glm::distance(start, end) : kNever;
@@ -65,7 +65,7 @@ TEST(StockContact, OfAStepFromTheSide) {
     const CutStock stock({{straightMotion({20, -10, -5}, {20, 40, -5}), &mill}});
     EXPECT_NEAR(stock.way(cutterOf("flat:d=4"), {20, 15.1, -3}, {30, 15.1, -3}), 2, kTolerance);
     EXPECT_NEAR(stock.way(cutterOf("ball:d=3"), {20, 15.1, -3}, {30, 15.1, -3}), 2.5, kTolerance);
-    // Higher up the ball's flank alone passes below the edge.
+    // Higher up, only the ball's flank is below the edge.
     const double z = -0.4;
     const double r = std::sqrt(1.5 * 1.5 - (1.5 + z) * (1.5 + z));
     EXPECT_NEAR(stock.way(cutterOf("ball:d=3"), {20, 15.1, z}, {30, 15.1, z}), 4 - r, kTolerance);
@@ -107,7 +107,7 @@ TEST(StockContact, OfARoundPocketIsTheSameInEveryDirection) {
     for (int k = 0; k < 24; ++k) {
         const double angle = uniform(random, 0, 2 * std::numbers::pi);
         const Vec3 way(std::cos(angle), std::sin(angle), 0);
-        // Where the straight cuts open it, their own walls come first or last.
+        // Where the straight cuts open the wall, their own walls are touched first or last.
         if (std::min(std::abs(way.x), std::abs(way.y)) < 0.45)
             continue;
         const Vec3 start(20, 15, -2);
@@ -127,15 +127,15 @@ TEST(StockContact, IsLostWhereTheWayLeavesTheStock) {
     const Cutter probe = cutterOf("flat:d=4");
     EXPECT_NEAR(stock.wayToFree(probe, {22.63, 15, -3}, {12, 15, -3}), 0.63, kTolerance);
     EXPECT_NEAR(stock.wayToFree(probe, {10, 15, -1.7}, {10, 15, 5}), 1.7, kTolerance);
-    // Across the slot it is free although it touches again at the other wall.
+    // Across the slot the tool becomes free, although it touches again at the other wall.
     EXPECT_NEAR(stock.wayToFree(probe, {23, 15, -3}, {5, 15, -3}), 1, kTolerance);
     EXPECT_EQ(stock.wayToFree(probe, {10, 15, -3}, {10, 15, -1}), kNever);
     EXPECT_NEAR(stock.wayToFree(probe, {20, 15, 3}, {20, 15, 5}), 0, kTolerance);
 }
 
-constexpr double kColumns = 0.04; ///< mm between those of the search by brute force
+constexpr double kColumns = 0.04; ///< mm between the columns of the brute-force search
 
-/// The times at which a way is within `reach` of a place in plan.
+/// The times at which a motion is within `reach` of a position in plan.
 std::pair<double, double> timesNear(const Vec2& place, const Vec3& start, const Vec3& end, double reach) {
     const Vec2 way = Vec2(end) - Vec2(start);
     const Vec2 there = place - Vec2(start);
@@ -150,7 +150,8 @@ std::pair<double, double> timesNear(const Vec2& place, const Vec3& start, const 
     return {std::max(0.0, (along - half) / length), std::min(1.0, (along + half) / length)};
 }
 
-/// Dense columns, each asked at dense times: never early, and late by what lies between the columns.
+/// Tests dense columns at dense times: the result is never early, and late by at most the distance between
+/// columns.
 double bruteForceWay(const CutStock& stock, const Cutter& cutter, const Vec3& start, const Vec3& end) {
     constexpr int kTimes = 400;
     const double reach = cutter.radius();
@@ -187,7 +188,7 @@ double bruteForceWay(const CutStock& stock, const Cutter& cutter, const Vec3& st
     return best * glm::distance(start, end);
 }
 
-/// How far the tool at a place is above the stock at a column; below 0 it stands in it.
+/// The height of the tool at a position above the stock at a column; negative if it is in the stock.
 double gapAt(const CutStock& stock, const Cutter& cutter, const Vec3& tip, const Vec2& column) {
     double height = 0;
     for (const PastCut& past : stock.cuts)
@@ -199,8 +200,8 @@ double gapAt(const CutStock& stock, const Cutter& cutter, const Vec3& tip, const
     return tip.z + cutter.height(radius) - height;
 }
 
-/// Whether the tool at a place stands in the stock: columns about it and along its rim, ever closer ones
-/// where the gap is smallest.
+/// Whether the tool at a position is in the stock: tests columns around it and along its rim, refined where
+/// the gap is smallest.
 bool isInStock(const CutStock& stock, const Cutter& cutter, const Vec3& tip) {
     struct Column {
         Vec2 at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Straight motions of all shapes and slopes against the brute-force oracle.
+// Compares straight motions of all shapes and slopes with the brute-force oracle.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <utility>
@@ -9,7 +9,7 @@
 namespace proveout {
 namespace {
 
-/// The promise is 1e-3 mm; what single precision leaves of it, so that is what is asked.
+/// The guarantee is 1e-3 mm; single precision achieves this value, so the test requires it.
 constexpr double kAllowed = 1e-4;
 constexpr int kSamples = 300;
 
@@ -26,7 +26,7 @@ TEST_P(StraightMotions, AgreeWithTheOracle) {
         const Cutter cutter = randomCutter(random, shape);
         const Motion motion = randomStraight(random, stock, kind);
         SCOPED_TRACE(fmt::format("seed {} {}", seed, reported(cutter, motion)));
-        // The points lie close together in single precision, far apart in double precision.
+        // Points close together use single precision, points far apart double precision.
         for (const auto& [spacing, stride] : {std::pair{0.15, 10}, {1.5, 1}}) {
             const double error = largestError(cutter, motion, stock, spacing, kSamples, stride);
             EXPECT_LE(error, kAllowed) << "spacing " << spacing;

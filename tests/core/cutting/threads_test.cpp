@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Heights and records bit by bit for one, two and four threads.
+// Compares heights and records bit for bit for one, two and four threads.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
@@ -22,7 +22,7 @@ struct Outcome {
 
 Outcome cutWith(std::size_t threads, unsigned seed) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    // Fine enough that motions are cut in parallel, with a moment held now and then so that tiles are copied.
+    // Fine enough for motions to be cut in parallel, with snapshots held at times so that tiles are copied.
     const StockBox stock{{0, 0, 0}, 60, 50, 15};
     ZMap zmap(stock, makeGrid(stock, 0.05).value());
     Random random(seed);
@@ -53,7 +53,7 @@ TEST(Threads, ChangeNothing) {
     }
 }
 
-/// Plain threads, so that ThreadSanitizer sees them: what runs inside oneTBB is suppressed there.
+/// Plain threads, which ThreadSanitizer can check; reports from inside oneTBB are suppressed there.
 TileCut lowerAlone(ZMap& zmap, std::size_t tile, const PreparedSweep& prepared) {
     const std::uint32_t first = 0;
     CutRecord record;
@@ -73,7 +73,7 @@ TEST(Threads, LowerDifferentTilesAtOnce) {
         const Cutter cutter = randomCutter(random, shapes[random() % 4]);
         const Motion motion = k % 3 == 2 ? randomArc(random, stock, Plane::xy, ArcKind::helix)
                                          : randomStraight(random, stock, StraightKind::sloped);
-        // Shared tiles are copied by the workers, owned ones are written in place.
+        // The workers copy shared tiles and write owned ones in place.
         if (k % 2 == 0)
             held = zmap.snapshot();
         const PreparedSweep prepared(cutter, motion, zmap);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inner loops of every instruction set that this processor has.
+// Checks the inner loops of every instruction set that this processor supports.
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -22,8 +22,8 @@ Motion randomMotion(Random& random, int k) {
     return randomArc(random, kStock, static_cast<Plane>(k / 2 % 3), static_cast<ArcKind>(k / 6 % 4));
 }
 
-/// Heights after random motions of all shapes, slopes and planes, cut with one instruction set, one by one
-/// or all at once.
+/// Heights after random motions of all shapes, slopes and planes, cut with one instruction set, one by one or
+/// all at once.
 std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed, bool atOnce) {
     hwy::SetSupportedTargetsForTest(target);
     Random random(seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removed volumes against closed formulas. A sum over grid points meets an integral to the order of the
-// spacing at vertical walls, and of its square elsewhere; the allowances below are those. Walls that run
-// along rows of points are a case of their own: those on the rim belong to the cutter.
+// Compares removed volumes with closed formulas. The error of a sum over grid points is of the order of the
+// spacing at vertical walls, and of its square elsewhere; the tolerances below follow from that. Walls along
+// rows of points are a special case, because points on the rim belong to the cutter.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -29,7 +29,7 @@ TEST(Volume, OfASlot) {
 }
 
 TEST(Volume, OfASlotFromEdgeToEdgeIsExactToTheWalls) {
-    // 101 rows of points are cut: those on the rim belong to the cutter.
+    // 101 rows of points are cut, because points on the rim belong to the cutter.
     const double exact = 3 * 100 * 10.1;
     EXPECT_NEAR(removed("flat:d=10", straightMotion({-20, 40, -3}, {120, 40, -3})), exact, 1e-3);
 }
@@ -41,16 +41,16 @@ TEST(Volume, AlongTheEdgeOfTheStockCountsBorderPointsHalf) {
 }
 
 TEST(Volume, OfABallGroove) {
-    // A half cylinder that runs out over both edges.
+    // A half cylinder that extends beyond both edges.
     const double exact = 100 * kPi * 25 / 2;
     EXPECT_NEAR(removed("ball:d=10", straightMotion({-20, 40, -5}, {120, 40, -5})), exact, 2e-3 * exact);
 }
 
 TEST(Volume, OfASlopingBallGroove) {
-    // Perpendicular to the path the groove is a half circle: over ground, one wider by the slope.
+    // The groove is a half circle perpendicular to the path: in plan it is wider by the slope.
     const double slope = 0.05;
     const double width = 10.0;
-    // Depth of the tip below the top, far from 0 all along: area of the section at depth p below the centre.
+    // The tip stays below the top along the whole path; p is the depth of the section below the centre.
     const Motion motion = straightMotion({-20, 40, -5 + 20 * slope - 6}, {120, 40, -5 - 120 * slope - 6});
     const double stretch = std::sqrt(1 + slope * slope);
     double exact = 0;
@@ -69,7 +69,7 @@ TEST(Volume, OfAConePlunge) {
 }
 
 TEST(Volume, OfABullNosePlunge) {
-    // A disc of radius 3 and a quarter torus tube round it, to the depth of the corner radius.
+    // A disc of radius 3 and a quarter torus around it, down to the depth of the corner radius.
     const double exact = kPi * 9 * 2 + kPi * kPi * 3 * 4 / 2 + 2.0 / 3 * kPi * 8;
     EXPECT_NEAR(removed("bull:d=10,r=2", straightMotion({50, 40, 5}, {50, 40, -2})), exact, 2e-3 * exact);
 }
@@ -90,17 +90,17 @@ TEST(Volume, OfAPocketIsThatOfItsOutline) {
     }
     const ZMapSnapshot moment = zmap.snapshot();
     EXPECT_NEAR(sum, 100.0 * 80 * 30 - moment.volume(), 1e-6);
-    // A rectangle with a row of rounded ends on two sides; between passes 4 mm apart stand small tips.
+    // A rectangle with a row of rounded ends on two sides; passes 4 mm apart leave small tips between them.
     const double tips = 2 * 10 * (4 * 5 - 2 * std::sqrt(21.0) - 25 * std::asin(0.4));
     const double exact = 2 * (60 * 50 + 40 * 10 + kPi * 25 - tips);
     EXPECT_NEAR(sum, exact, 0.01 * exact);
 }
 
-// Somewhere in the stock, in any direction: at a tenth of a millimetre within a fifth of a per cent.
+// Anywhere in the stock and in any direction: within a fifth of a per cent at a tenth of a millimetre.
 constexpr double kAllowed = 2e-3;
 constexpr int kPlaces = 40;
 
-/// Calls `check` with places that no grid knows, and prints the seed where one fails.
+/// Calls `check` with positions that are independent of the grid, and prints the seed of a failure.
 template<class Check>
 void atRandomPlaces(const Check& check) {
     const std::uint32_t seed = randomSeed();
@@ -115,8 +115,8 @@ void atRandomPlaces(const Check& check) {
 }
 
 TEST(VolumeAnywhere, OfASlot) {
-    // Two long straight walls: in a direction in which points stand in rows, as at 45 degrees, a wall may
-    // have half of the rows' distance more or less, so the mean over all places is what meets the promise.
+    // Two long straight walls. In a direction in which points form rows, e.g. 45 degrees, a wall may be off
+    // by half the distance of the rows, so the guarantee applies to the mean over all positions.
     double sum = 0;
     const double exact = 3 * (40 * 10 + kPi * 25);
     atRandomPlaces([&](const Vec2& place, double angle) {
@@ -150,7 +150,7 @@ TEST(VolumeAnywhere, OfAPocket) {
 
 TEST(VolumeAnywhere, OfADrilledCone) {
     atRandomPlaces([](const Vec2& place, double) {
-        // The point alone: its cone opens at 118 degrees.
+        // The point of the drill alone: its angle is 118 degrees.
         const double steep = 1 / std::tan(118.0 / 2 * kPi / 180);
         const double depth = 4;
         const double exact = kPi * depth * depth / (steep * steep) * depth / 3;
@@ -168,8 +168,8 @@ TEST(VolumeAnywhere, OfABallGroove) {
     });
 }
 
-/// What a flat cutter of `radius` leaves the stock by on its way down round a circle, `pitch` a turn: over a
-/// point it is lowest where it leaves it for the last time, half a chord ahead. Integrated in polar
+/// The volume that a flat cutter of `radius` removes on its way down a helix with the given `pitch` per turn:
+/// over each point it is lowest where it leaves it for the last time, half a chord ahead. Integrated in polar
 /// coordinates.
 double helixVolume(double circle, double radius, double pitch, double turns) {
     constexpr int kSteps = 400;
@@ -179,7 +179,7 @@ double helixVolume(double circle, double radius, double pitch, double turns) {
         const double cosine = (r * r + circle * circle - radius * radius) / (2 * r * circle);
         const double ahead = std::acos(std::min(1.0, cosine));
         for (int k = 0; k < kSteps; ++k) {
-            // Of the angles at which the cutter is over the point, the last that the path has.
+            // The last angle of the path at which the cutter is over the point.
             const double at = 2 * kPi * (k + 0.5) / kSteps;
             const double end = 2 * kPi * turns;
             double last = at - ahead;
@@ -197,8 +197,8 @@ double helixVolume(double circle, double radius, double pitch, double turns) {
 
 TEST(VolumeAnywhere, OfAHelix) {
     atRandomPlaces([](const Vec2& place, double angle) {
-        // A flat cutter winds down by three turns, and once more round at the depth it has reached; its ring
-        // leaves a core.
+        // A flat cutter descends by three turns, and makes another turn at full depth; its ring leaves a
+        // core.
         ZMap zmap(kStock, makeGrid(kStock, kSpacing).value());
         const Cutter cutter = cutterOf("flat:d=10");
         const Motion down = arcMotion(Plane::xy, Vec3(place, 0), 12, angle, 6 * kPi, -6, 12);

@@ -32,7 +32,7 @@ void count(std::size_t bytes) {
 }
 } // namespace
 
-// Were one of them inlined and the other not, GCC would take them for a mismatched pair.
+// noinline, because GCC would report a mismatched pair if only one of them was inlined.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* memory = std::malloc(size == 0 ? 1 : size)) {
@@ -59,7 +59,7 @@ TEST(LeeDecimator, allocatesNothingPerRegionButTheTrianglesItGives) {
     std::vector<test::Heights> maps;
     for (const auto& kind : test::mapKinds())
         maps.push_back(kind.make(65, 65, 0.5, 4));
-    // The first region of each kind lets the storage grow.
+    // The first region of each kind makes the storage grow.
     for (const test::Heights& heights : maps)
         (void)decimator.decimate(grid, {rect, 0.5, 0.5, heights}, {}, 1, {});
 #ifndef NDEBUG
@@ -83,7 +83,7 @@ TEST(CertifiedDecimator, allocatesNothingPerRegionButTheTrianglesItGives) {
     std::iota(all.begin(), all.end(), 0U);
     const auto line = std::make_shared<const BorderLine>(BorderLine{all, {}});
     const std::array<BorderLinePtr, 4> borders{line, line, line, line};
-    for (const bool isFirst : {true, false}) { // the first round lets the storage grow
+    for (const bool isFirst : {true, false}) { // the first round makes the storage grow
         for (const auto& kind : test::mapKinds()) {
             const test::Heights heights = kind.make(65, 65, 0.5, 4);
             const std::size_t before = allocations;
@@ -97,7 +97,7 @@ TEST(CertifiedDecimator, allocatesNothingPerRegionButTheTrianglesItGives) {
     }
 }
 
-/// The largest bytes held at a time beside those held before.
+/// The maximum of the bytes held in addition to those held before.
 double peakOf(const auto& work) {
     const std::size_t before = bytesHeld;
     bytesPeak = before;
@@ -105,7 +105,7 @@ double peakOf(const auto& work) {
     return static_cast<double>(bytesPeak - before);
 }
 
-/// Where the full mesh of a solid takes most: points on the floor beside points above it.
+/// The worst cases for the memory of a solid's full mesh: points on the floor next to points above it.
 struct FloorPattern {
     const char* name;
     bool (*isAbove)(int i, int j, std::mt19937& random);
@@ -132,7 +132,7 @@ TEST(MapMemory, IsNoLessThanSolidsTake) {
     constexpr int kSize = 501;
     DecimationParameters none;
     none.method = DecimationMethod::none;
-    // Counted here is also what is reserved and not touched yet.
+    // The measurement also counts memory that is reserved but not used yet.
     constexpr double kMostOfForecast = 1.2;
     const double most =
         kMostOfForecast * kSize * kSize * meshBytesPerPoint(none, {.schedule = false, .solid = true});

@@ -57,8 +57,8 @@ TEST(SimplifyBorder, certifiedStaysWithinTheAllowanceVertically) {
     EXPECT_GT(dropped, 1000U);
 }
 
-/// The negative control: the paper's accumulated error alone does not hold the border, since it measures
-/// across the line, not vertically.
+/// The negative control: the paper's accumulated error alone does not guarantee the border, since it measures
+/// perpendicular to the line and not vertically.
 TEST(SimplifyBorder, uncertifiedIsSeenToExceedTheAllowance) {
     double worst = 0;
     for (unsigned seed = 0; seed < 100; ++seed) {

@@ -32,7 +32,7 @@ bool chordHolds(const std::vector<float>& heights, std::size_t a, std::size_t b,
     return true;
 }
 
-/// By trying all chords, without cones.
+/// Tries all chords, without cones.
 std::size_t fewestVertices(const std::vector<float>& heights, const std::vector<std::uint32_t>& extras,
                            double allowance) {
     std::vector<std::size_t> best(heights.size(), heights.size() + 1);
@@ -67,7 +67,7 @@ TEST(CertifiedBorder, hasTheFewestVerticesThatStayWithinTheAllowance) {
             EXPECT_TRUE(chordHolds(heights, line.kept[k], line.kept[k + 1], allowance));
         }
         EXPECT_TRUE(std::includes(line.kept.begin(), line.kept.end(), extras.begin(), extras.end()));
-        // The rounding that is set aside may forbid a chord that holds by a hair.
+        // The reserve for rounding may reject a chord that is just within the allowance.
         EXPECT_GE(line.kept.size(), fewestVertices(heights, extras, allowance));
         EXPECT_LE(line.kept.size(), fewestVertices(heights, extras, allowance - 1e-9));
     }

@@ -76,7 +76,8 @@ TEST(Certified, keepsTheWholeSurfaceWithinTheAllowance) {
     }
 }
 
-/// The control of the two tests above: at walls the points say nothing of what lies between them.
+/// The control of the two tests above: at walls the errors at the points say nothing about the surface
+/// between them.
 TEST(Certified, atSampleLevelIsSeenToLeaveTheSurfaceAtWalls) {
     HardMap map;
     map.nx = map.ny = 65;

@@ -31,7 +31,7 @@ std::string say(const char* what, const Triangle& triangle) {
 
 using Normal = std::array<long double, 3>;
 
-/// The vector of twice the area, from coordinates of any kind.
+/// The vector of twice the area, from coordinates of any type.
 template<class Point>
 Normal normalOf(const Point& a, const Point& b, const Point& c) {
     Normal u{};
@@ -92,7 +92,8 @@ std::string wrongEdge(const TriangleMesh& mesh) {
     return {};
 }
 
-/// The triangles round each vertex must form one ring: walking from neighbour to neighbour visits them all.
+/// The triangles around each vertex must form one ring: walking from neighbour to neighbour must visit all of
+/// them.
 std::string wrongLink(const TriangleMesh& mesh) {
     std::vector<std::map<std::uint32_t, std::uint32_t>> links(mesh.vertices.size());
     for (const Triangle& triangle : mesh.triangles) {
@@ -123,7 +124,7 @@ double volumeUnder(const TriangleMesh& mesh, const Triangle& triangle) {
            6;
 }
 
-/// Volumes by connected part.
+/// The volume of each connected part.
 std::map<std::uint32_t, double> partVolumes(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> parent(mesh.vertices.size());
     std::iota(parent.begin(), parent.end(), 0U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must be true of every solid, checked without any of the room's own code.
+// What must hold for every solid, checked without any code of core/decimation.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace proveout::test {
 
-/// The first thing wrong with a mesh that should be a closed, oriented 2-manifold without degenerate
-/// triangles, as a sentence; empty where nothing is. Coordinates are looked at as float32, as STL has them:
-/// all vertices apart, all triangles with an area, and facing where they face in double.
+/// The first defect of a mesh that should be a closed, oriented 2-manifold without degenerate triangles, as a
+/// sentence; empty if there is none. Coordinates are compared as float32, as in STL: all vertices must
+/// differ, and all triangles must have an area and the same orientation as in double.
 [[nodiscard]] std::string whatIsWrong(const TriangleMesh& mesh);
 
 /// Volume by the divergence theorem, mm³; positive where the triangles face outwards.
@@ -19,7 +19,7 @@ namespace proveout::test {
 /// The smallest signed volume of the connected parts; all must be positive.
 [[nodiscard]] double smallestPartVolume(const TriangleMesh& mesh);
 
-/// How many connected parts.
+/// The number of connected parts.
 [[nodiscard]] std::size_t partCount(const TriangleMesh& mesh);
 
 } // namespace proveout::test

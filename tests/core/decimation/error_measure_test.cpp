@@ -61,7 +61,7 @@ TEST(VerticalError, agreesWithBruteForceOnRandomTriangles) {
         const int n = 3 + static_cast<int>(random() % 30);
         const test::Heights heights = test::mapKind("noise").make(n, n, 1, seed);
         const ZMapSnapshot zmap = test::zmapOf(n, n, 1, heights);
-        // A fan around the outline covers the map whatever its apex is.
+        // A fan around the outline covers the map wherever its apex is.
         const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * n + i); };
         const std::uint32_t apex = at(1 + static_cast<int>(random() % static_cast<unsigned>(n - 2)),
                                       1 + static_cast<int>(random() % static_cast<unsigned>(n - 2)));

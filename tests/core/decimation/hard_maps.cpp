@@ -118,7 +118,7 @@ void plane(Source& random, HardMap& map) {
     fill(map, [&](int i, int j) { return -50 + a * i + b * j; });
 }
 
-/// Far from zero, where floats are coarse, and with cliffs beyond any sense.
+/// Far from zero, where floats are coarse, and with unrealistically high cliffs.
 void extremes(Source& random, HardMap& map) {
     const double base = random.uniform(-1, 1) * random.logUniform(1, 1e6);
     const double cliff = random.logUniform(1e-3, 1e6);

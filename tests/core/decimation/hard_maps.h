@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random height fields on which decimators have failed, or might.
+// Random height fields on which decimators have failed or might fail.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct HardMap {
     Heights heights;
 };
 
-/// Terrain, steps, spikes, needles, walls, noise, a constant, a tilted plane, or huge heights; of up to
+/// Terrain, steps, spikes, needles, walls, noise, a constant, a tilted plane, or huge heights, with up to
 /// `most` points along a side. Equal seeds give equal maps.
 HardMap hardMap(std::uint32_t seed, int most);
 

@@ -38,7 +38,7 @@ std::vector<Case> allCases() {
 
 class LeeOn : public testing::TestWithParam<Case> {
 protected:
-    static constexpr int kNx = 98; // leaves partial regions on both axes, of one cell for some region sizes
+    static constexpr int kNx = 98; // leaves partial regions on both axes, with one cell for some region sizes
     static constexpr int kNy = 66;
     static constexpr double kSpacing = 0.5;
 
@@ -109,8 +109,8 @@ TEST_P(LeeOn, withThePapersBordersEachRegionIsCoveredAndCertified) {
     }
 }
 
-/// The negative control. The paper's accumulated error is no bound of the vertical distance, and the check
-/// above must be able to see that.
+/// The negative control. The paper's accumulated error does not bound the vertical distance, and the check
+/// above must be able to detect that.
 TEST(Uncertified, isSeenToExceedTheAllowanceAtWalls) {
     const Heights heights = test::mapKind("walls").make(98, 66, 0.5, 17);
     const ZMapSnapshot zmap = test::zmapOf(98, 66, 0.5, heights);
@@ -124,7 +124,7 @@ TEST(Uncertified, isSeenToExceedTheAllowanceAtWalls) {
     EXPECT_GT(error.largest, 3 * parameters.allowance);
 }
 
-/// The paper's borders open cracks, which the topology check must see.
+/// The paper's borders cause cracks, which the topology check must detect.
 TEST(PaperBorders, areSeenToCrack) {
     const Heights heights = test::mapKind("spheres").make(98, 66, 0.5, 17);
     DecimationParameters parameters = test::leeParameters();
@@ -175,12 +175,12 @@ TEST(LeeDecimator, givesNoMeshOnceStopped) {
     source.request_stop();
     LeeDecimator decimator;
     EXPECT_TRUE(decimator.decimate(grid, samples, {}, 9, {}, source.get_token()).triangles.empty());
-    // What is left of it does no harm to the next region.
+    // Its remaining data must not affect the next region.
     EXPECT_EQ(decimator.decimate(grid, samples, {}, 9, {}).triangles,
               LeeDecimator().decimate(grid, samples, {}, 9, {}).triangles);
 }
 
-/// Plain threads, so that ThreadSanitizer sees them: what runs inside oneTBB is suppressed there.
+/// Plain threads, which ThreadSanitizer can check; reports from inside oneTBB are suppressed there.
 TEST(LeeDecimator, ofOneThreadSharesNothingWithThatOfAnother) {
     const Heights heights = test::mapKind("spheres").make(65, 65, 0.5, 2);
     const ZMapSnapshot zmap = test::zmapOf(65, 65, 0.5, heights);
@@ -247,7 +247,7 @@ TEST(LeeDecimator, acceptsFlatConstantAndExtremeHeights) {
     }
 }
 
-/// A map of a single row of cells, a single cell, and regions cut off to one cell.
+/// A map with a single row of cells, a single cell, and regions reduced to one cell.
 TEST(LeeDecimator, acceptsRegionsOfOneCell) {
     for (const auto& [nx, ny, cells] :
          {std::array{2, 2, 8}, {2, 40, 8}, {40, 2, 8}, {10, 18, 8}, {18, 10, 8}, {5, 5, 3}, {9, 9, 2}}) {

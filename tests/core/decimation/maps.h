@@ -25,7 +25,7 @@ struct MapKind {
 std::span<const MapKind> mapKinds();
 const MapKind& mapKind(const std::string& name);
 
-/// A z-map with these heights; they must lie in [-100, 0].
+/// A z-map with these heights, which must be within [-100, 0].
 ZMapSnapshot zmapOf(int nx, int ny, double spacing, const Heights& heights);
 
 /// The certified method.

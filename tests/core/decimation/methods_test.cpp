@@ -11,7 +11,7 @@
 namespace proveout {
 namespace {
 
-/// Another value of one field than the one it has.
+/// Gives one field a different value.
 void change(DecimationParameters& parameters, std::string_view key) {
     describe(parameters, [key](auto& value, const Field& field) {
         using Value = std::remove_cvref_t<decltype(value)>;
@@ -33,12 +33,12 @@ std::vector<LatticeTriangle> decimated(const DecimationParameters& parameters) {
     Surface surface(kSize, kSize, parameters);
     surface.decimateDirty(zmap);
     std::vector<LatticeTriangle> triangles = surface.snapshot().triangles();
-    std::sort(triangles.begin(), triangles.end()); // which region they come from is no matter
+    std::sort(triangles.begin(), triangles.end()); // the regions that the triangles come from do not matter
     return triangles;
 }
 
-/// The panel offers what the row of a method names. What it does not name must change nothing, and what it
-/// names must change something; the period is no matter of a single decimation.
+/// The panel offers the fields that the row of a method names. Other fields must have no effect, and those
+/// fields must have one; the period does not apply to a single decimation.
 TEST(Methods, lookAtTheFieldsOfTheirRowAndAtNoOthers) {
     for (const DecimationMethodRow& method : decimationMethods()) {
         DecimationParameters parameters;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One test for each figure of the paper that shows the mesh.
+// One test for each figure of the paper that shows a mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,8 +50,8 @@ std::set<LatticeTriangle> asSet(std::vector<LatticeTriangle> faces) {
     return {faces.begin(), faces.end()};
 }
 
-// The middle of 2 × 2 cells has eight neighbours. Collapsed into the corner, it would leave the face over the
-// southern edge with its three vertices in one line.
+// The middle vertex of 2 × 2 cells has eight neighbours. Collapsing it into the corner would make the three
+// vertices of the face on the southern edge collinear.
 TEST(Figure4a, collapseThatDegeneratesAFaceIsRefused) {
     RegionHalfEdges mesh = flatMesh(2, 2);
     const Star& star = mesh.star(mesh.vertex(1, 1));
@@ -62,8 +62,8 @@ TEST(Figure4a, collapseThatDegeneratesAFaceIsRefused) {
         EXPECT_TRUE(mesh.isCollapseValid(star, spokeTo(star, mesh.vertex(i, j))));
 }
 
-// After a few collapses the stars are bent inwards here and there; from beyond a bend, a face would be seen
-// from below. All stars met on the way are looked at, all their edges tried.
+// After a few collapses some stars are concave; from beyond such a bend, a face would be flipped. All stars
+// on the way are examined, and all their edges tried.
 TEST(Figure4b, collapseThatFlipsAFaceIsRefused) {
     RegionHalfEdges mesh = flatMesh(8, 8);
     constexpr unsigned kSeed = 4;
@@ -80,7 +80,7 @@ TEST(Figure4b, collapseThatFlipsAFaceIsRefused) {
             continue;
         const Star& star = mesh.star(vertex);
         for (std::size_t target = 0; target < star.spokes.size(); ++target) {
-            bool flips = false; // by the areas of the faces themselves, computed from scratch
+            bool flips = false; // from the areas of the faces, computed independently
             for (std::size_t k = 0; k < star.spokes.size(); ++k) {
                 const std::size_t next = (k + 1) % star.spokes.size();
                 if (k == target || next == target)
@@ -155,8 +155,8 @@ TEST(Figure6, aBorderCollapseTakesOneFaceTwoEdgesAndAVertex) {
 }
 
 TEST(Figure6, onlyTheTwoBorderEdgesAreCandidatesAndCornersStay) {
-    // Cells are three times as wide as deep, so that the shortest edges of the southern and northern borders
-    // lead inwards: the border rule must not take them.
+    // Cells are three times as wide as deep, so that the shortest edges at the southern and northern borders
+    // point inwards: the border rule must not collapse along them.
     DecimationParameters parameters = test::leeParameters();
     parameters.borders = BorderRule::paper;
     parameters.certify = false;
@@ -165,7 +165,7 @@ TEST(Figure6, onlyTheTwoBorderEdgesAreCandidatesAndCornersStay) {
     std::vector<float> heights(81, 0.0F);
     LeeDecimator decimator;
     const RegionMesh mesh = decimator.decimate(grid, {grid.points(0), 3, 1, heights}, {}, 7, parameters);
-    test::expectCoversMap(9, 9, mesh.triangles); // were a border vertex drawn inwards, the map had a notch
+    test::expectCoversMap(9, 9, mesh.triangles); // moving a border vertex leaves a notch
     std::set<std::uint32_t> used;
     for (const LatticeTriangle& t : mesh.triangles)
         used.insert(t.begin(), t.end());
@@ -174,8 +174,8 @@ TEST(Figure6, onlyTheTwoBorderEdgesAreCandidatesAndCornersStay) {
     EXPECT_LT(used.size(), 12U);
 }
 
-/// Removes what can be removed of a flat mesh in the given order, and counts the neighbours looked at on the
-/// way: that is what the time of a removal is made of.
+/// Removes all removable vertices of a flat mesh in the given sequence, and counts the neighbours examined,
+/// which determine the time of a removal.
 std::size_t neighboursExamined(RemovalOrder order, int cells) {
     RegionHalfEdges mesh = flatMesh(cells, cells);
     std::vector<std::uint32_t> vertices;
@@ -225,7 +225,7 @@ TEST(AveragePlane, isTheAreaWeightedPlaneOfThePaper) {
         const Star& star = mesh.star(mesh.vertex(2, 2));
         const double hx = 0.5;
         const double hy = 0.7;
-        // Section 4.2.1, word by word.
+        // Section 4.2.1, implemented literally.
         const Vec3 v{2 * hx, 2 * hy, double{heights[12]}};
         Vec3 sumNormals{0};
         Vec3 sumCentres{0};
@@ -249,8 +249,8 @@ TEST(AveragePlane, isTheAreaWeightedPlaneOfThePaper) {
     }
 }
 
-/// OpenMesh's own collapse is the oracle of ours, over random collapses that OpenMesh allows, be they
-/// geometrically sound or not.
+/// Compares our collapse with that of OpenMesh, for random collapses that OpenMesh allows, whether
+/// geometrically valid or not.
 TEST(EulerOperators, doWhatTheCollapseOfOpenMeshDoes) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

@@ -20,7 +20,7 @@ struct Lattice {
         return static_cast<long>(i(t[1]) - i(t[0])) * (j(t[2]) - j(t[0])) -
                static_cast<long>(i(t[2]) - i(t[0])) * (j(t[1]) - j(t[0]));
     }
-    /// Bits of the sides of the map that a point lies on.
+    /// One bit for each side of the map that contains the point.
     [[nodiscard]] int sides(std::uint32_t v) const {
         return (i(v) == 0 ? 1 : 0) | (i(v) == nx - 1 ? 2 : 0) | (j(v) == 0 ? 4 : 0) |
                (j(v) == ny - 1 ? 8 : 0);
@@ -31,7 +31,7 @@ bool has(const LatticeTriangle& triangle, std::uint32_t vertex) {
     return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
 }
 
-/// Merges `from` into `to`; the triangles stay as they are where that is not allowed. Allowed: what is left
+/// Merges `from` into `to`; the triangles stay unchanged if that is not allowed. It is allowed if the result
 /// covers the same area with positive triangles only.
 void tryCollapse(const Lattice& lattice, std::vector<LatticeTriangle>& triangles, std::uint32_t from,
                  std::uint32_t to) {

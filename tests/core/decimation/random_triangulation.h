@@ -9,11 +9,11 @@
 
 namespace proveout::test {
 
-/// The 4-8 triangulation of nx × ny points, written apart from the room.
+/// The 4-8 triangulation of nx × ny points, implemented independently of the product's code.
 [[nodiscard]] std::vector<LatticeTriangle> fullTriangulation(int nx, int ny);
 
-/// A triangulation of the same rectangle that uses only some of its points, as a decimation would leave it:
-/// random edge collapses wherever all triangles keep a positive area and the outline stays. The corners stay.
+/// A triangulation of the same rectangle that uses only some of its points, as decimation would produce:
+/// random edge collapses that keep the area of all triangles positive and the outline and corners unchanged.
 [[nodiscard]] std::vector<LatticeTriangle> randomTriangulation(int nx, int ny, std::size_t collapses,
                                                                std::mt19937& random);
 

@@ -25,7 +25,7 @@ DecimationParameters certified(int region, double allowance, ErrorLevel level = 
     return test::certifiedParameters(region, allowance, level);
 }
 
-/// Everything that a snapshot tells about itself, recounted, and what holds of every surface.
+/// Recomputes everything that a snapshot reports about itself, and checks what must hold for every surface.
 void expectHolds(const SurfaceSnapshot& surface, const Heights& heights,
                  const DecimationParameters& parameters) {
     const int nx = surface.grid.nx();
@@ -101,7 +101,7 @@ TEST(RefinedSurface, reportsItsProgressRisingOnItsOwnThread) {
     EXPECT_GT(last, 0.9);
 }
 
-/// Lowers a random disc; returns the rectangle that it lies in.
+/// Lowers a random disc; returns its bounding rectangle.
 IndexRect cutDisc(std::mt19937& random, int nx, int ny, Heights& heights) {
     const int ci = static_cast<int>(random() % static_cast<unsigned>(nx));
     const int cj = static_cast<int>(random() % static_cast<unsigned>(ny));
@@ -145,7 +145,7 @@ TEST(RefinedSurface, afterAnyWalkOfCutsIsWhatItWouldBeFromScratch) {
             const IndexRect rect = cutDisc(random, kNx, kNy, heights);
             const ZMapSnapshot zmap = test::zmapOf(kNx, kNy, 1, heights);
             std::vector<std::size_t> changed = regionsIn(walking.grid(), rect);
-            if (random() % 4 == 0) { // stopped somewhere, and called again
+            if (random() % 4 == 0) { // stopped at some point, and called again
                 std::stop_source source;
                 int reported = 0;
                 const int enough = static_cast<int>(random() % 8);

@@ -32,7 +32,7 @@ TEST(RegionAllowances, NeverExceedWhatTheViewCanDrawAndDoNotFlicker) {
     std::mt19937 random(5);
     std::size_t changes = 0;
     double wanted = 0.05;
-    for (int step = 0; step < 5000; ++step) { // trembles by a tenth about a step
+    for (int step = 0; step < 5000; ++step) { // varies by a tenth around a step
         const double trembling = 0.04 * (0.9 + 0.2 * static_cast<double>(random()) / 4294967296.0);
         changes += allowances.follow(std::vector<double>{trembling}).size();
         EXPECT_LE(allowances.region(0), trembling);
@@ -65,8 +65,8 @@ TEST(RegionAllowances, ReportWhoseMeshOrBorderHadAnother) {
     EXPECT_EQ(allowances.border(grid.border(2, Side::west)), 1);
 }
 
-/// Dirty or not, finely or coarsely decimated beside each other: no crack, no T-vertex, no flipped triangle
-/// at any of thousands of steps, and every region within its own allowance.
+/// Dirty or not, finely next to coarsely decimated: no crack, no T-vertex and no flipped triangle after any
+/// of thousands of steps, and every region within its own allowance.
 TEST(MixedAllowances, HalfDirtySurfacesStayWholeAndKeepEachAllowance) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -99,7 +99,7 @@ TEST(MixedAllowances, HalfDirtySurfacesStayWholeAndKeepEachAllowance) {
                         one = parameters.allowance * std::exp2(random() % 6);
                 surface.followView(wanted);
                 break;
-            default: { // some are decimated
+            default: { // some regions are decimated
                 std::vector<std::size_t> due;
                 for (std::size_t region = 0; region < wanted.size(); ++region)
                     if (surface.isDirty(region) && random() % 2 == 0)
@@ -147,7 +147,7 @@ TEST(MixedAllowances, OnlyRegionsOfTheSameAllowanceMerge) {
         std::vector<double> wanted(grid.regionCount());
         const ZMapSnapshot zmap = test::zmapOf(map.nx, map.ny, map.spacing, map.heights);
         for (int move = 0; move < 3; ++move) {
-            const int edge = static_cast<int>(random() % 80U); // near, and far from the eye
+            const int edge = static_cast<int>(random() % 80U); // close to the eye and far from it
             for (std::size_t region = 0; region < wanted.size(); ++region)
                 wanted[region] = grid.points(region).i0 < edge ? 0.02 : 0.2;
             surface.followView(wanted);

@@ -25,7 +25,7 @@ std::set<LatticeTriangle> asSet(const std::vector<LatticeTriangle>& triangles) {
     return set;
 }
 
-/// Borders that keep a random part of their points.
+/// Borders that keep a random subset of their points.
 std::vector<BorderLinePtr> randomLines(const RegionGrid& grid, std::mt19937& random) {
     std::vector<BorderLinePtr> lines(grid.borderCount());
     const auto keepOneIn = 1 + random() % 5;
@@ -78,7 +78,7 @@ TEST(FullRegionMesh, withRandomPolylinesCoversTheMapAsCounted) {
 }
 
 TEST(RegionHalfEdges, isTheFullRegionMeshWhateverTheBorders) {
-    RegionHalfEdges mesh; // one for all, as in use: storage of larger regions is left over
+    RegionHalfEdges mesh; // reused for all, as in the product, so that it contains storage of larger regions
     for (unsigned seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kFloor = -100; // of zmapOf()
 
-/// The same heights on a stock whose lower-left-top corner lies elsewhere.
+/// The same heights on a stock whose upper corner at min X and min Y is elsewhere.
 ZMapSnapshot movedTo(const Vec3& corner, const ZMapSnapshot& zmap) {
     StockBox stock = zmap.stock();
     stock.corner = corner;
@@ -39,8 +39,8 @@ Vec3 inFloat(const Vec3& point) {
     return {x, y, z};
 }
 
-/// Each point against each triangle, in long double, without any tolerance for what lies between two: a point
-/// is measured at the triangle that holds it best.
+/// Each point against each triangle, in long double, without any tolerance at edges: a point is measured at
+/// the triangle that contains it best.
 double bruteForce(const ZMapSnapshot& zmap, TriangleMesh solid) {
     using Real = long double;
     const Grid& grid = zmap.grid();
@@ -129,14 +129,14 @@ TEST(SolidError, ofRoundedCoordinatesAgreesWithBruteForce) {
             movedTo({anywhere(far), anywhere(far), anywhere(far)}, test::zmapOf(nx, ny, 0.11, heights));
         const TriangleMesh solid =
             closeSolid(zmap, test::randomTriangulation(nx, ny, random() % 300, random));
-        // A point on an edge may fall on either side of it by its own rounding; steep as these triangles
-        // are, that is worth 1e-6 mm.
+        // Rounding may put a point on an edge on either side of it; with triangles as steep as these, that
+        // changes the result by 1e-6 mm.
         EXPECT_NEAR(measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample),
                     bruteForce(zmap, solid), 1e-6);
     }
 }
 
-/// A ramp along x that lies far out: its points stay, its vertices move to the nearest float32.
+/// A ramp along x far from the origin: its points stay, its vertices move to the nearest float32.
 TEST(SolidError, growsWithTheDistanceFromTheOrigin) {
     constexpr double kSlope = 50;
     for (const double far : {100.0, 3000.0, 40000.0}) {
@@ -146,7 +146,7 @@ TEST(SolidError, growsWithTheDistanceFromTheOrigin) {
         const ZMapSnapshot zmap = movedTo({far + 0.013, 0, 0}, test::zmapOf(9, 5, 0.125, heights));
         const TriangleMesh solid = closeSolid(zmap, test::fullTriangulation(9, 5));
         double moved = 0;
-        for (int i = 1; i < 8; ++i) // the ends are measured at the rounded outline
+        for (int i = 1; i < 8; ++i) // the ends are measured against the rounded outline
             moved = std::max(moved, std::abs(inFloat({zmap.grid().x(i), 0, 0}).x - zmap.grid().x(i)));
         const double error = measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample);
         EXPECT_NEAR(error, kSlope * moved, 0.03 * kSlope * moved) << far;

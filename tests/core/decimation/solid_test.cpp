@@ -16,7 +16,7 @@
 namespace proveout::test {
 namespace {
 
-/// A stock at an odd place, so that coordinates are no whole numbers.
+/// A stock at an odd position, so that coordinates are not integers.
 const StockBox kStock{{-70.3, 12.7, 1.9}, 7, 5, 30.1};
 constexpr float kFloor = -30.1F;
 
@@ -43,7 +43,7 @@ struct Map {
     }
 };
 
-/// The volume between surface and floor: prism by prism.
+/// The volume between surface and floor, prism by prism.
 double prismVolume(const Map& map, const std::vector<LatticeTriangle>& triangles) {
     double volume = 0;
     for (const LatticeTriangle& t : triangles) {
@@ -67,13 +67,13 @@ bool isEmpty(const TriangleMesh& mesh) {
     return mesh.vertices.empty() && mesh.triangles.empty();
 }
 
-/// A solid must be sound, and as large as the surface says but for the gaps.
+/// A solid must be valid, and its volume must match the surface except for the gaps.
 void expectSound(const Map& map, const std::vector<LatticeTriangle>& triangles) {
     const TriangleMesh solid = closeSolid(map.zmap(), triangles);
     const double wanted = prismVolume(map, triangles);
     const double area = (map.nx - 1) * map.hx * (map.ny - 1) * map.hy;
-    // In height at most the gap over the whole area; in plan at most two gaps at each vertex, where the
-    // material is as high as the stock at most.
+    // In height the difference is at most the gap over the whole area; in plan at most two gaps at each
+    // vertex, where the material is at most as high as the stock.
     const double points = static_cast<double>(map.heights.size());
     const double slack = 2 * kPinchGap * (area + points * map.stock.height * std::max(map.hx, map.hy));
     if (isEmpty(solid)) {
@@ -105,14 +105,14 @@ TEST(Solid, WallsAndFloorAreFewTrianglesWhereNothingTouchesTheFloor) {
     map.heights.assign(40 * 30, -1);
     const auto triangles = fullTriangulation(map.nx, map.ny);
     const TriangleMesh solid = closeSolid(map.zmap(), triangles);
-    // Each side: a chain of n points and a base, so n triangles.
+    // Each side is a chain of n points and a base, and so has n triangles.
     EXPECT_EQ(solid.triangles.size(), triangles.size() + 2 + 2 * 40 + 2 * 30);
     EXPECT_EQ(solid.vertices.size(), 40 * 30 + 4U);
     expectSound(map, triangles);
 }
 
-/// The flanks of a V-groove that leaves the stock are straight lines but for the last bits, and those are not
-/// the same in double and in float32. No wall triangle may stand on such a line.
+/// The flanks of a V-groove that leaves the stock are straight lines except for the last bits, which differ
+/// between double and float32. There must be no wall triangle on such a line.
 TEST(Solid, WallsUnderStraightFlanksFaceOutwardsInDoubleAndInFloat) {
     const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);
@@ -140,7 +140,7 @@ TEST(Solid, WallsUnderStraightFlanksFaceOutwardsInDoubleAndInFloat) {
 TEST(Solid, NothingLeftIsAnEmptyMesh) {
     Map map{5, 4, 1, 1, std::vector<float>(20, kFloor), kStock};
     EXPECT_TRUE(isEmpty(closeSolid(map.zmap(), fullTriangulation(5, 4))));
-    // Dust that float32 could not hold apart from the floor is nothing too.
+    // Stock so thin that float32 cannot separate it from the floor counts as empty too.
     map.heights.assign(20, std::nextafter(kFloor, 0.0F));
     EXPECT_TRUE(isEmpty(closeSolid(map.zmap(), fullTriangulation(5, 4))));
 }
@@ -167,7 +167,7 @@ TEST(Solid, ProgressRisesToOne) {
     }
 }
 
-/// Rows of '.' (floor) and '#' (stock), the first at the greatest y.
+/// Rows of '.' (floor) and '#' (stock), the first with the highest y.
 Map drawn(const std::vector<std::string>& rows) {
     Map map;
     map.nx = static_cast<int>(rows.front().size());
@@ -199,8 +199,7 @@ TEST(Solid, AGrooveThatTouchesTheFloorAlongALineKeepsASkin) {
 }
 
 TEST(Solid, HolesThatMeetInAVertexArePinchedOff) {
-    // Where the diagonals run so that no triangle of the stock lies between the two holes, only a vertex
-    // does.
+    // Here the diagonals run so that the two holes are separated only by a vertex and not by a triangle.
     const Map map = drawn({"######", "#..###", "#..###", "###..#", "###..#", "######"});
     EXPECT_EQ(partsOf(map), 1U);
     const Map corner = drawn({"...##", "...##", "...##", "##...", "##...", "##..."});
@@ -246,7 +245,7 @@ float randomHeight(std::mt19937& random, unsigned floorPercent) {
     if (choice < floorPercent)
         return kFloor;
     if (choice < floorPercent + 5)
-        return kFloor + 1e-5F * static_cast<float>(random() % 30); // about the gap
+        return kFloor + 1e-5F * static_cast<float>(random() % 30); // close to the gap
     return kFloor * static_cast<float>(random()) / 4294967296.0F;
 }
 
@@ -273,7 +272,7 @@ TEST(Solid, RandomMapsAndTriangulationsAreSound) {
     }
 }
 
-/// Coordinates so large that float32 has steps of 1/8 mm: the gap grows, the topology holds.
+/// Coordinates so large that the step of float32 is 1/8 mm: the gap grows, but the topology stays valid.
 TEST(Solid, FarFromTheOriginTheGapGrows) {
     Map map = drawn({"######", "#..###", "#..###", "###..#", "###..#", "######"});
     map.hx = 10;

@@ -25,8 +25,8 @@ Place placeOf(int nx, const Heights& heights, std::uint32_t lattice) {
     return {double(i), double(j), heightAt(nx, heights, i, j)};
 }
 
-/// Largest distance over the places where a value that runs linearly from `from` to `to` along the edge meets
-/// a multiple of `step` (counted from 0).
+/// Visits the points where a value that changes linearly from `from` to `to` along the edge reaches a
+/// multiple of `step` (counted from 0).
 template<class Visit>
 void crossings(double from, double to, int step, Visit&& visit) {
     if (from == to)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a triangulated surface lies from the canonical full mesh, everywhere and exactly but for the
+// The distance of a triangulated surface from the canonical full mesh, everywhere and exact except for the
 // rounding of doubles; shares no code with the decimators.
 #pragma once
 
@@ -11,7 +11,8 @@
 namespace proveout::test {
 
 struct SurfaceDistance {
-    double samples = 0; ///< largest vertical distance of a z-map point, mm; infinity where one is not covered
+    double samples = 0; ///< largest vertical distance of a z-map point, mm; infinity if a point is not
+                        ///< covered
     double surface = 0; ///< largest vertical distance between the two surfaces, mm
 };
 
@@ -20,10 +21,10 @@ struct SurfaceDistance {
 SurfaceDistance surfaceDistance(int nx, int ny, const Heights& heights,
                                 std::span<const LatticeTriangle> triangles);
 
-/// Largest vertical distance of the triangles' edges, anywhere, from the canonical full mesh, mm.
+/// Largest vertical distance between any point of the triangles' edges and the canonical full mesh, mm.
 double edgesDistance(int nx, const Heights& heights, std::span<const LatticeTriangle> triangles);
 
-/// Height of the canonical full mesh over any place of the map, in cells.
+/// Height of the canonical full mesh at any position of the map, in cells.
 double canonicalHeight(int nx, const Heights& heights, double x, double y);
 
 } // namespace proveout::test

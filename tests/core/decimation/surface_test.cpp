@@ -24,7 +24,7 @@ DecimationParameters withRegion(int cells, double allowance) {
     return parameters;
 }
 
-/// Recounts everything that the snapshot tells about itself, and checks its topology.
+/// Recomputes everything that the snapshot reports about itself, and checks its topology.
 void expectConsistent(const SurfaceSnapshot& surface) {
     const std::vector<LatticeTriangle> triangles = surface.triangles();
     EXPECT_EQ(surface.faces, triangles.size());
@@ -74,8 +74,8 @@ TEST(Surface, startsWithTheFullMesh) {
     expectConsistent(surface.snapshot());
 }
 
-/// Two triangles a region would do. A single pass (paper §4) leaves a vertex here and there whose every
-/// collapse was degenerate when its turn came.
+/// Two triangles per region would be sufficient. A single pass (paper §4) leaves a few vertices whose
+/// collapses were all degenerate when they were examined.
 TEST(Surface, flatStockBecomesHardlyMoreThanTwoTrianglesARegion) {
     Surface surface(65, 33, withRegion(8, 0.05));
     const ZMapSnapshot zmap = test::zmapOf(65, 33, 1, Heights(65 * 33, 0.0F));
@@ -113,14 +113,14 @@ TEST(Surface, touchReportsHowManyWereDecimatedBefore) {
     EXPECT_EQ(surface.touch({0, 0, 33, 33}), 0U);
     EXPECT_EQ(surface.decimateDirty(zmap), 16U);
     EXPECT_EQ(surface.touch({3, 3, 5, 5}), 1U);
-    EXPECT_EQ(surface.touch({8, 8, 9, 9}), 3U); // a corner point dirties all four regions that hold it
+    EXPECT_EQ(surface.touch({8, 8, 9, 9}), 3U); // a corner point makes all four regions that contain it dirty
     EXPECT_EQ(surface.touch({-5, -5, 0, 0}), 0U);
     EXPECT_EQ(surface.dirtyRegions(), 4U);
     expectConsistent(surface.snapshot());
 }
 
-/// Cuts, dirties and decimates at random, and looks at every state: no crack, no T-vertex, no flipped face,
-/// whatever stands decimated beside whatever is dirty.
+/// Cuts, makes dirty and decimates at random, and checks every state: no crack, no T-vertex and no flipped
+/// face in any mix of decimated and dirty regions.
 TEST(Surface, hasNoCrackInAnyHalfDirtyState) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

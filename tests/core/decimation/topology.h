@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must be true of every surface, checked without any of the room's own code.
+// What must hold for every surface, checked without any code of core/decimation.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace proveout::test {
 
-/// Expects that the triangles cover a map of nx × ny points exactly once: every one of positive area, every
-/// directed edge once, every edge with its twin except along the outline of the map, areas summing up to the
-/// map's. With that there is no crack, no T-vertex, no flipped and no duplicate face.
+/// Expects that the triangles cover a map of nx × ny points exactly once: all with positive area, every
+/// directed edge once, every edge with its twin except along the outline of the map, and areas that add up to
+/// that of the map. This excludes cracks, T-vertices, flipped and duplicate faces.
 void expectCoversMap(int nx, int ny, std::span<const LatticeTriangle> triangles);
 
-/// The largest vertical distance of a z-map point to the triangles, by the plane through each triangle, in
-/// long double, over the bounding box of each: slow, plain, and written apart from the room.
+/// The largest vertical distance of a z-map point to the triangles, from the plane of each triangle, in long
+/// double, over the bounding box of each: slow, simple, and independent of the product's code.
 double bruteForceError(int nx, int ny, const Heights& heights, std::span<const LatticeTriangle> triangles);
 
 } // namespace proveout::test

@@ -52,7 +52,7 @@ TEST(Formats, StlAloneRoundsCoordinates) {
     }
 }
 
-/// Every format that is read and written holds what was put into it.
+/// Every format that can be read and written preserves its content.
 TEST(Formats, MeshFormatsReadWhatTheyWrite) {
     const TemporaryFolder folder;
     const TriangleMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},

@@ -37,7 +37,7 @@ protected:
         m_folder.put("a.proveout", text);
         return readJob(m_folder / "a.proveout");
     }
-    /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the job was read without a warning.
+    /// All messages, one "LINE:COLUMN sentence [id]" per line; empty if the job was read without a warning.
     std::string reported(const std::string& text) {
         const auto job = read(text);
         std::string out;
@@ -50,7 +50,7 @@ protected:
         }
         return out;
     }
-    /// kWhole with the first `from` replaced.
+    /// kWhole with the first occurrence of `from` replaced.
     static std::string with(const std::string& from, const std::string& to) {
         std::string text = kWhole;
         const auto at = text.find(from);
@@ -145,7 +145,7 @@ TEST_F(JobFile, AGridThatIsNotNamedIsAutomaticAndStaysSo) {
     EXPECT_FALSE(read(kWhole)->setup.automaticGrid);
     Job job = read(kWhole).value();
     job.setup.automaticGrid = true;
-    job.setup.spacing = 0.3; // as it was found last
+    job.setup.spacing = 0.3; // as computed last
     ASSERT_TRUE(writeJob(m_folder / "b.proveout", job));
     EXPECT_THAT(readFile(m_folder / "b.proveout").value(), testing::Not(HasSubstr("grid")));
     EXPECT_TRUE(readJob(m_folder / "b.proveout")->setup.automaticGrid);
@@ -465,8 +465,8 @@ TEST_F(JobFile, AProgramNameThatIsNotUtf8IsReported) {
     EXPECT_STREQ(result.error().front().id, "job-not-utf8");
 }
 
-/// One bit flipped, or the end missing: the job is refused, or what was read keeps to the limits of its
-/// fields.
+/// With one bit flipped or the end missing, the job is refused, or the values read are within the limits of
+/// their fields.
 TEST_F(JobFile, SurvivesDamage) {
     const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);

@@ -30,7 +30,7 @@ protected:
                                            "\",\n\"stock\":{\"height\":1," + stock + "}}");
         return readJob(m_root / "job/a.proveout", allowed);
     }
-    /// "LINE: FILE" of each file that was refused.
+    /// "LINE: FILE" for each refused file.
     std::string refused(const Result<Job>& job) {
         std::string out;
         if (!job)
@@ -59,7 +59,7 @@ TEST_F(JobPaths, FilesOutsideAreRefusedWithTheirNames) {
     EXPECT_EQ(refused(read("../part.nc")), "2: " + (m_root / "part.nc").string() + "\n");
     EXPECT_EQ(refused(read("/etc/hostname")), "2: /etc/hostname\n");
     EXPECT_EQ(refused(read("../not-there.nc")), "2: " + (m_root / "not-there.nc").string() + "\n");
-    // Not below the folder, although its name begins with the same letters.
+    // Not below the folder, although its name starts with the same letters.
     EXPECT_EQ(refused(read("../job-other/part.nc")), "2: " + (m_root / "job-other/part.nc").string() + "\n");
 }
 
@@ -70,7 +70,7 @@ TEST_F(JobPaths, SymbolicLinksCountWhereTheyLead) {
     EXPECT_EQ(refused(read("link.nc")), "2: " + (m_root / "part.nc").string() + "\n");
     EXPECT_EQ(refused(read("up/part.nc")), "2: " + (m_root / "part.nc").string() + "\n");
     EXPECT_TRUE(read("down/part.nc"));
-    // A job behind a link is where it really is.
+    // A job behind a link counts as being at its real location.
     ASSERT_TRUE(read("part.nc"));
     fs::create_symlink(m_root / "job/a.proveout", m_root / "job-other/b.proveout");
     const auto linked = readJob(m_root / "job-other/b.proveout");
@@ -78,7 +78,7 @@ TEST_F(JobPaths, SymbolicLinksCountWhereTheyLead) {
     EXPECT_EQ(linked->program, m_root / "job/part.nc");
 }
 
-/// The mesh is none: it would be an error of its own if it were read.
+/// The file is not a valid mesh, so reading it would cause another error.
 TEST_F(JobPaths, AStockOutsideIsNotRead) {
     const std::string stock = "\"shape\":\"stl\",\"file\":\"../casting.stl\"";
     EXPECT_EQ(refused(read("../part.nc", stock)),

@@ -23,7 +23,7 @@ protected:
         job.setup.stock = {Vec3(0), 40, 30, 10};
         return job;
     }
-    /// The job as it is read again.
+    /// Writes the job and reads it again.
     Job reread(const Job& job) {
         EXPECT_TRUE(writeJob(file(), job));
         const auto read = readJob(file());
@@ -32,7 +32,7 @@ protected:
         return read.value_or(Job());
     }
     json written() { return json::parse(*readFile(file(), 100'000)); }
-    /// What is wrong with the job whose JSON has been changed.
+    /// The messages for a job whose JSON was changed.
     std::string reported(const json& changed) {
         m_folder.put("a.proveout", changed.dump());
         const auto read = readJob(file());
@@ -44,7 +44,7 @@ private:
     TemporaryFolder m_folder;
 };
 
-/// Numbers out of the range of their row are refused with it.
+/// Numbers outside the range of their row are refused, and the message contains the range.
 template<class Test, class Params>
 void expectRefusedOutOfRange(Test reported, const Params& params, const json& whole,
                              const std::string& object) {

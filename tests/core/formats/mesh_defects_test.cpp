@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts of defects against the slow way, which keeps the facets of every edge.
+// Compares the counts of defects with a slow method that stores the facets of every edge.
 #include "core/formats/mesh_defects.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void append(TriangleMesh& mesh, const TriangleMesh& other) {
         mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
 }
 
-/// Without `insideOut`.
+/// Counts without `insideOut`.
 MeshDefects countedSlowly(const TriangleMesh& mesh) {
     std::map<std::set<std::uint32_t>, int> facets;
     std::map<std::set<std::uint32_t>, std::vector<bool>> edges;
@@ -65,7 +65,7 @@ TEST(MeshDefects, EachKindIsCounted) {
     EXPECT_EQ(findDefects(mesh), (MeshDefects{.flippedEdges = 3}));
 
     mesh = tetrahedron();
-    mesh.triangles.push_back({3, 1, 0}); // the second facet, seen from behind
+    mesh.triangles.push_back({3, 1, 0}); // the second facet with the opposite orientation
     EXPECT_EQ(findDefects(mesh), (MeshDefects{.duplicateFacets = 1, .nonManifoldEdges = 3}));
 
     mesh = tetrahedron();
@@ -96,7 +96,7 @@ TEST(MeshDefects, RandomSoupsAreCountedAsSlowly) {
     std::mt19937 random(seed);
     for (int round = 0; round < 200; ++round) {
         TriangleMesh mesh = randomSoup(1 + random() % 300, static_cast<unsigned>(random()));
-        // Few vertices, so that edges and facets meet.
+        // Uses few vertices, so that edges and facets coincide.
         const auto most = static_cast<std::uint32_t>(3 + random() % 20);
         std::erase_if(mesh.triangles, [&](auto& t) {
             for (auto& vertex : t)
@@ -109,7 +109,7 @@ TEST(MeshDefects, RandomSoupsAreCountedAsSlowly) {
     }
 }
 
-/// The facets round one vertex are as many as the mesh has.
+/// The number of facets around one vertex is that of the whole mesh.
 TEST(MeshDefects, AFanIsCountedInTime) {
     TriangleMesh mesh;
     const std::uint32_t count = 1'000'000;

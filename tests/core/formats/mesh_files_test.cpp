@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every mesh format of the table owes, whichever it is.
+// What every mesh format of the table must satisfy.
 #include "core/formats/mesh_files.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ protected:
     Result<WrittenFile> write(const TriangleMesh& mesh, const WorkContext& context = {}) {
         return findFormat(GetParam())->meshWriter()->write(file(), mesh, context);
     }
-    /// Where the place is not the folder of the test.
+    /// Writes to a target outside the test's folder.
     Result<WrittenFile> writeTo(const std::filesystem::path& target, const TriangleMesh& mesh) {
         return findFormat(GetParam())->meshWriter()->write(target, mesh, {});
     }

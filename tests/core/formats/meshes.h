@@ -13,7 +13,7 @@ inline TriangleMesh tetrahedron(double size = 1, const Vec3& corner = Vec3(0)) {
             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
 
-/// A soup of `count` triangles over few vertices, coordinates as odd as they come.
+/// `count` unconnected triangles on few vertices with arbitrary coordinates.
 inline TriangleMesh randomSoup(std::size_t count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> coordinate(-300, 300);

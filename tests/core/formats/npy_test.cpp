@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// An NPY file put together byte by byte, independent of the writer.
+/// An NPY file assembled byte by byte, independently of the writer.
 std::string npyFile(int version, const std::string& dictionary, const std::string& data) {
     std::string out = "\x93NUMPY";
     out += static_cast<char>(version);
@@ -47,7 +47,7 @@ protected:
         m_folder.put("a.npy", bytes);
         return readNpy(m_folder / "a.npy");
     }
-    /// The line told for `bytes`, without the file's name.
+    /// The message for `bytes`, without the file's name.
     std::string error(const std::string& bytes) {
         const auto array = read(bytes);
         if (array)
@@ -134,7 +134,7 @@ TEST_F(Npy, WritesWhatItReads) {
     EXPECT_FALSE(writeNpy(m_folder / "missing/b.npy", array));
 }
 
-/// A damaged file is refused or read; what is read has the size that was announced, and only finite values.
+/// A damaged file is refused or read; if read, it has the announced size and only finite values.
 TEST_F(Npy, SurvivesDamage) {
     const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);

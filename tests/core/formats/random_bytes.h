@@ -6,7 +6,7 @@
 
 namespace proveout {
 
-/// Damages a file as a bad cable or a full disk would: one bit flipped, or the end missing.
+/// Damages a file as a faulty cable or a full disk would: flips one bit or removes the end.
 inline std::string damaged(std::string bytes, std::mt19937& random) {
     if (bytes.empty())
         return bytes;

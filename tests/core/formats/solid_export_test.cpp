@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr double kAllowance = 0.05;
 
-/// A steep wave on a stock whose lower-left-top corner lies `far` out along x.
+/// A steep wave on a stock whose upper corner at min X and min Y is at X = `far`.
 ZMapSnapshot waveAt(double far) {
     const StockBox stock{{far, -3.3, 1.7}, 30, 20, 25};
     ZMap zmap(stock, makeGrid(stock, 0.25).value());
@@ -84,7 +84,7 @@ TEST_F(SolidExport, NearTheOriginRoundingIsNothing) {
     EXPECT_NEAR(stl->largestErrorMm, exportTo("a.obj", zmap, solid)->largestErrorMm, 1e-4);
 }
 
-/// Steps of float32 are 1/128 mm there, and the wave is ten times as steep.
+/// The step of float32 is 1/128 mm there, and the wave is ten times as steep.
 TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
     const ZMapSnapshot zmap = waveAt(80'000.3);
     const TriangleMesh solid = decimated(zmap);
@@ -107,7 +107,7 @@ TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
     }
 }
 
-/// "0.05 mm, beyond 0.05 mm" would say nothing.
+/// "0.05 mm, beyond 0.05 mm" would be useless.
 TEST_F(SolidExport, TheFiguresOfTheWarningDiffer) {
     const ZMapSnapshot zmap = waveAt(700.3);
     const TriangleMesh solid = decimated(zmap);
@@ -129,8 +129,8 @@ TEST_F(SolidExport, WhereRoundingIsNotToBlameThereIsNoWarning) {
     EXPECT_TRUE(exportTo("a.stl", zmap, decimated(zmap), 0)->warnings.empty()) << "nothing was promised";
 }
 
-/// Pinched, cut through, decimated at random into long slivers: as long as a step of float32 is far below the
-/// spacing, it stays a solid.
+/// Pinched, cut through, decimated at random into long slivers: as long as the step of float32 is far below
+/// the spacing, it stays a valid solid.
 TEST_F(SolidExport, StlTakesEverySolidOfUsualSize) {
     const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faults of mesh files that must not harm us.
+// Faulty mesh files, which must not cause harm.
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -43,7 +43,7 @@ const Facets kTetrahedron{{Corner{0, 0, 0}, Corner{0, 9, 0}, Corner{9, 0, 0}},
                           {Corner{9, 0, 0}, Corner{0, 9, 0}, Corner{0, 0, 9}},
                           {Corner{0, 9, 0}, Corner{0, 0, 0}, Corner{0, 0, 9}}};
 
-/// Every coordinate times `factor`.
+/// Multiplies every coordinate by `factor`.
 Facets scaled(Facets facets, float factor) {
     for (auto& facet : facets)
         for (Corner& corner : facet)
@@ -55,7 +55,7 @@ Facets scaled(Facets facets, float factor) {
 const std::string kAsciiFacet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                                 "endloop\nendfacet\n";
 
-/// The tetrahedron as text: facets without a solid round them.
+/// The tetrahedron as text: facets without an enclosing solid.
 std::string asciiTetrahedron() {
     std::string text;
     for (const auto& facet : kTetrahedron) {
@@ -80,7 +80,7 @@ protected:
         m_folder.put("a.stl", bytes);
         return readStlContents(m_folder / "a.stl");
     }
-    /// "LINE:COLUMN sentence [id]" of the error, or of the first warning, or "clean".
+    /// "LINE:COLUMN sentence [id]" of the error or of the first warning, or "clean".
     std::string reported(const std::string& bytes) {
         const auto contents = read(bytes);
         if (contents && contents->warnings.empty())
@@ -245,7 +245,7 @@ TEST_F(StlFaults, WarnsOfAPartInAnotherUnit) {
     EXPECT_EQ(reported(binaryStl(4, scaled(kTetrahedron, 1e3F))),
               "warning 0:0 The mesh is 9000 × 9000 × 9000 mm in size; in micrometres it would be "
               "9 × 9 × 9 mm. [stl-size-suspect]");
-    for (const float factor : {0.3F, 1.0F, 500.0F}) // up to 4.5 m
+    for (const float factor : {0.3F, 1.0F, 500.0F}) // sizes up to 4.5 m
         EXPECT_EQ(reported(binaryStl(4, scaled(kTetrahedron, factor))), "clean") << factor;
 }
 
@@ -307,7 +307,7 @@ std::map<std::string, std::vector<std::string>> factsByFile(const fs::path& csv)
     return rows;
 }
 
-/// Every STL file of the corpus, against facts that another program found.
+/// Compares every STL file of the corpus with facts that were determined by another program.
 TEST(StlCorpus, AgreesWithTheFacts) {
     const fs::path corpus = fs::path(PROVEOUT_SHARED_DIR) / "corpus";
     if (!fs::exists(corpus / "STL_FACTS.csv"))
@@ -319,7 +319,7 @@ TEST(StlCorpus, AgreesWithTheFacts) {
         SCOPED_TRACE(name);
         const auto contents = readStlContents(corpus / name);
         const bool known = facts[1] == "binary" || facts[1] == "ascii";
-        // These differ on purpose: the facts take a loop of four vertices for facets, and do not read a name
+        // Deliberate differences: the facts accept a loop of four vertices as facets, and do not read a name
         // of 1 MB; files without a facet are errors here.
         if (name == "faults-stl/ascii-quad.stl") {
             ASSERT_FALSE(contents);
@@ -348,7 +348,7 @@ TEST(StlCorpus, AgreesWithTheFacts) {
             EXPECT_EQ(contents->defects.openEdges, std::stoul(facts[5]));
             EXPECT_EQ(contents->defects.nonManifoldEdges, std::stoul(facts[6]));
             EXPECT_EQ(contents->defects.flippedEdges, std::stoul(facts[7]));
-            // The sign of what is not enclosed depends on where it is measured from.
+            // The sign of the volume of an open mesh depends on the point of reference.
             if (facts[5] == "0" && facts[7] == "0") {
                 EXPECT_EQ(contents->defects.insideOut, std::stod(facts[9]) < 0);
             }

@@ -25,7 +25,8 @@ using testing::HasSubstr;
 using test::randomSoup;
 using test::tetrahedron;
 
-/// Through memory on purpose: g++ 12 at -O2 drops a pair of vectorised conversions to float and back.
+/// Stored in memory on purpose, because g++ 12 at -O2 removes a pair of vectorised conversions to float and
+/// back.
 double inFloat(double value) {
     const volatile float rounded = static_cast<float>(value);
     return static_cast<double>(rounded);
@@ -35,7 +36,7 @@ Vec3 inFloat(const Vec3& point) {
     return {inFloat(point.x), inFloat(point.y), inFloat(point.z)};
 }
 
-/// Corner by corner: the file holds the triangles in their order.
+/// Compares corner by corner: the file contains the triangles in the same sequence.
 void expectSameTriangles(const TriangleMesh& got, const TriangleMesh& wanted) {
     ASSERT_EQ(got.triangles.size(), wanted.triangles.size());
     for (std::size_t t = 0; t < got.triangles.size(); ++t)
@@ -72,7 +73,7 @@ TEST_P(Stl, WeldsByExactCoordinates) {
     mesh.vertices[0].x = -0.0; // equal to 0 though its bits differ
     for (std::uint32_t i = 0; i < 3; ++i) {
         mesh.vertices.push_back(mesh.vertices[mesh.triangles[3][i]]);
-        mesh.triangles[3][i] = 4 + i; // the last face with vertices of its own
+        mesh.triangles[3][i] = 4 + i; // the last face has vertices of its own
     }
     mesh.vertices[4].x = 0.0;
     ASSERT_TRUE(writeStl(m_folder / "a.stl", mesh, GetParam()));
@@ -104,8 +105,8 @@ TEST_P(Stl, RefusesMeshesThatRoundingCollapses) {
 }
 
 TEST_P(Stl, RefusesTrianglesThatRoundingTurnsOver) {
-    // Steps of float32 are 1/128 mm out there. The second point lies left of the line between the others, and
-    // right of it once all three are rounded.
+    // The step of float32 is 1/128 mm there. The second point is left of the line between the others, and
+    // right of it after all three are rounded.
     const TriangleMesh mesh{{{1e5 + 0.0038, 0, 0}, {1e5 + 0.0055, 25, 0}, {1e5 + 0.0118, 100, 0}},
                             {{0, 2, 1}}};
     const auto written = writeStl(m_folder / "a.stl", mesh, GetParam());
@@ -124,7 +125,7 @@ TEST_P(Stl, RefusesVerticesThatRoundingMakesOne) {
     const auto written = writeStl(m_folder / "a.stl", two, GetParam());
     ASSERT_FALSE(written);
     EXPECT_THAT(written.error().front().arguments, testing::ElementsAre("0", "1", exactMeshEndings()));
-    two.vertices[4].x = 1e5; // the very same point is no accident of rounding
+    two.vertices[4].x = 1e5; // an identical point is not a rounding effect
     EXPECT_TRUE(writeStl(m_folder / "a.stl", two, GetParam()));
 }
 
@@ -167,7 +168,7 @@ TEST(StlAscii, HasADecimalPointInEveryLocale) {
         GTEST_SKIP() << "no locale with a decimal comma is installed; checked in \"C\" only";
 }
 
-/// Reported, and far from the figure that would make an export felt.
+/// Reports the speed, which is far higher than would delay an export noticeably.
 TEST(StlBinary, WritesMillionsOfTrianglesASecond) {
     const TemporaryFolder folder;
     const auto mesh = randomSoup(1'000'000, 4);

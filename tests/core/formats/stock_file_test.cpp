@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saved stocks: back to the last bit, and whatever else may lie in a file of that name.
+// Saved stocks: exact to the last bit, and other content that a file with that extension may have.
 #include "core/formats/stock_file.h"
 
 #include <array>
@@ -54,7 +54,7 @@ protected:
         EXPECT_EQ(read.error().front().file, from.string());
         return read.error().front().id;
     }
-    /// An archive of these entries, with sound checksums.
+    /// An archive of these entries with valid checksums.
     void writeZip(const std::vector<std::pair<const char*, std::string>>& entries) const {
         ZipFile zip(file, false);
         for (const auto& [name, bytes] : entries) {
@@ -63,7 +63,7 @@ protected:
         }
         ASSERT_TRUE(zip.commit());
     }
-    /// Without the care of writeFile(), which is slow.
+    /// Writes without the flush of writeFile(), which is slow.
     void put(const std::string& bytes) const { std::ofstream(file, std::ios::binary) << bytes; }
     static std::string description(const std::string& size = "\"width\":4,\"depth\":3,\"height\":2",
                                    const std::string& points = "\"nx\":5,\"ny\":4",
@@ -156,7 +156,7 @@ TEST_F(StockFile, DamageIsNoticedOrHarmless) {
         put(damaged);
         const auto read = readStock(file);
         noticed += read ? 0 : 1;
-        // What lies outside the entries, as their times, changes nothing.
+        // Data outside the entries, e.g. their times, has no effect.
         if (read) {
             EXPECT_TRUE(sameBits(read->zmap, map)) << place;
         }
@@ -176,7 +176,7 @@ TEST_F(StockFile, OtherFilesAreNamedWhatTheyAre) {
     writeZip({{"stock.json", "{"}});
     EXPECT_NE(idOf(file), "");
     writeZip({{"stock.json", std::string(1'000'000, ' ')}});
-    EXPECT_EQ(idOf(file), "stock-file-broken"); // more than any description has
+    EXPECT_EQ(idOf(file), "stock-file-broken"); // more than any valid description has
 }
 
 TEST_F(StockFile, WhatDoesNotFitIsRefused) {
@@ -220,13 +220,14 @@ TEST_F(StockFile, HeightsThatAreNoneAreRefused) {
 }
 
 TEST_F(StockFile, MemoryIsAskedForFirst) {
-    // Four zeros would inflate to as many points as an index holds; the map of them needs more than there is.
+    // Inflating the zeros would give as many points as an index can address; their z-map needs more memory
+    // than is available.
     writeZip({{"stock.json",
                description("\"width\":46000,\"depth\":46000,\"height\":2", "\"nx\":46001,\"ny\":46001")},
               {"heights.npy", heights(5, 4, -1)}});
     const std::string id = idOf(file);
     EXPECT_TRUE(id == "grid-needs-too-much-memory" || id == "stock-heights-form") << id;
-    // A bomb: much more in the entry than the description tells of.
+    // A decompression bomb: the entry contains much more than the description states.
     writeZip(
         {{"stock.json", description()}, {"heights.npy", heights(5, 4, -1) + std::string(40'000'000, '\0')}});
     EXPECT_EQ(idOf(file), "stock-file-broken");

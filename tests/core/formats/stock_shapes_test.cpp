@@ -45,7 +45,7 @@ TEST(StockShapes, OfTheCommandLine) {
     EXPECT_EQ(parseStock("cylinder:h=20,d=50")->box, (StockBox{{0, 0, 0}, 50, 50, 20}));
     const auto saved = parseStock("file:file=a, b=c.pvstock,turn=270,flip=y");
     ASSERT_TRUE(saved);
-    EXPECT_EQ(saved->shape.file, "a, b=c.pvstock"); // a comma belongs to the name where no key follows it
+    EXPECT_EQ(saved->shape.file, "a, b=c.pvstock"); // a comma belongs to the file name if no key follows it
     EXPECT_EQ(saved->shape.turn, StockTurn::threeQuarters);
     EXPECT_EQ(saved->shape.flip, StockFlip::aboutY);
 }
@@ -71,7 +71,7 @@ TEST(StockShapes, BodiesLieWhereTheyLieOrWhereTheyAreWanted) {
     StockSpec spec = parseStock("outline:h=8,file=" + file.string()).value();
     ASSERT_TRUE(makeStock(spec, {}));
     EXPECT_EQ(spec.box.corner, Vec3(10, 20, 0));
-    EXPECT_NEAR(spec.box.depth, 30 + 25, 1e-9); // half a circle of 50 mm on its upper side
+    EXPECT_NEAR(spec.box.depth, 30 + 25, 1e-9); // the upper side is a half circle of 50 mm
     ASSERT_NE(spec.shape.body, nullptr);
     const double area = 50 * 30 + std::numbers::pi * 25 * 25 / 2 - 100;
     const auto uncut = uncutStock(spec.box, spec.shape, makeGrid(spec.box, 0.1).value());

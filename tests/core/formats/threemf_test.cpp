@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 3MF files, taken apart by the archive library and a strict XML parser.
+// 3MF files, read by the archive library and a strict XML parser.
 #include <archive.h>
 #include <archive_entry.h>
 #include <cstdlib>
@@ -21,10 +21,10 @@ namespace {
 using test::randomSoup;
 using test::tetrahedron;
 
-/// The entries of an archive, in their order; a failed expectation where it cannot be read to its end.
+/// The entries of an archive, in sequence; the test fails if it cannot be read to its end.
 std::vector<std::pair<std::string, std::string>> entriesOf(const std::filesystem::path& file) {
     const std::unique_ptr<archive, decltype(&archive_read_free)> from(archive_read_new(), archive_read_free);
-    archive_read_support_format_zip_seekable(from.get()); // by its directory, as most readers do
+    archive_read_support_format_zip_seekable(from.get()); // uses the directory, as most readers do
     EXPECT_EQ(archive_read_open_filename(from.get(), file.c_str(), 65536), ARCHIVE_OK);
     std::vector<std::pair<std::string, std::string>> entries;
     archive_entry* entry = nullptr;
@@ -39,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> entriesOf(const std::filesystem
     return entries;
 }
 
-/// What stands in an XML document: elements as paths of "namespace|name", with their attributes.
+/// The content of an XML document: elements as paths of "namespace|name", with their attributes.
 struct Element {
     std::string path;
     std::map<std::string, std::string> attributes;
@@ -62,7 +62,7 @@ public:
                                          << XML_GetCurrentLineNumber(parser.get());
     }
 
-    /// The elements whose path ends so.
+    /// The elements whose path ends in `ending`.
     [[nodiscard]] std::vector<const Element*> all(const std::string& ending) const& {
         std::vector<const Element*> found;
         for (const Element& element : m_elements)
@@ -161,7 +161,7 @@ TEST(ThreeMf, ModelIsOneObjectInMillimetresThatIsBuilt) {
 TEST(ThreeMf, HoldsEveryVertexAndTriangle) {
     const TemporaryFolder folder;
     TriangleMesh mesh = randomSoup(30'000, 1);
-    mesh.vertices[0] = {-0.0, 1e-300, -1.7976931348623157e308}; // the longest numbers there are
+    mesh.vertices[0] = {-0.0, 1e-300, -1.7976931348623157e308}; // numbers with the longest representation
     mesh.vertices[1] = {1e22, -2.2250738585072014e-308, 5e-324};
     ASSERT_TRUE(write3mf(folder / "a.3mf", mesh));
     const auto entries = entriesOf(folder / "a.3mf");
@@ -169,7 +169,8 @@ TEST(ThreeMf, HoldsEveryVertexAndTriangle) {
     expectSame(Document(entries[2].second), mesh);
 }
 
-/// Byte 6 of the first header holds the flags, byte 4 the version that a reader must know: 2.0, not 4.5.
+/// Byte 6 of the first header contains the flags, byte 4 the version that a reader must support: 2.0, not
+/// 4.5.
 TEST(ThreeMf, SmallArchivesNeedNoZip64) {
     const TemporaryFolder folder;
     ASSERT_TRUE(write3mf(folder / "a.3mf", randomSoup(1000, 2)));

@@ -24,7 +24,7 @@ TEST(ActiveOffset, IsThatOfTheLastMotion) {
     EXPECT_EQ(offsetAfter(text, 1), (ActiveOffset{"G54", Vec3(0)}));
     EXPECT_EQ(offsetAfter(text, 2), (ActiveOffset{"G55", Vec3(10, 20, -3)}));
     EXPECT_EQ(offsetAfter(text, 3), (ActiveOffset{"G55", Vec3(10, 20, -3)}));
-    EXPECT_EQ(offsetAfter(text, 4), (ActiveOffset{"G55", Vec3(12, 20, -3)})); // G92 moves its zero
+    EXPECT_EQ(offsetAfter(text, 4), (ActiveOffset{"G55", Vec3(12, 20, -3)})); // G92 has moved its zero
     EXPECT_EQ(offsetAfter(text, 99), (ActiveOffset{"G55", Vec3(12, 20, -3)}));
 }
 

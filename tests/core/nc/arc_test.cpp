@@ -16,7 +16,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 const ArcTolerances kMm = arcTolerances(ArcRule::linuxcnc, false);
 
-/// An arc made from its centre, radius and angles, so that everything about it is known beforehand.
+/// An arc that is constructed from its centre, radius and angles, so that all of its values are known.
 struct KnownArc {
     Vec2 centre;
     double radius;
@@ -57,7 +57,7 @@ TEST(Arc, OfItsRadiusAgreesWithTheCentre) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937 random(seed);
         const KnownArc known(random);
-        // Where the chord is nearly the diameter, the centre depends on the last digit of the radius.
+        // If the chord is nearly the diameter, the centre depends on the last digit of the radius.
         if (std::abs(std::abs(known.sweep) - kPi) < 0.01)
             continue;
         const double radius = std::abs(known.sweep) > kPi ? -known.radius : known.radius;
@@ -82,7 +82,7 @@ TEST(Arc, EndsThatCoincideMakeAFullCircle) {
 
 TEST(Arc, OfAFullCircleLeadsToItsEndAsWell) {
     ArcTolerances tolerances = kMm;
-    tolerances.samePoint = 0.0005; // half a least unit
+    tolerances.samePoint = 0.0005; // half of the least input increment
     const Vec2 point(10, 0);
     for (const double away : {0.0004, -0.0004}) {
         EXPECT_NEAR(arcAbout(Vec2(0), {point, point + Vec2(0, away), false}, tolerances)->sweep,

@@ -16,7 +16,7 @@ namespace proveout::test {
 
 namespace {
 
-constexpr double kTolerance = 1e-6; ///< mm, degrees, seconds; feeds are kept as floats
+constexpr double kTolerance = 1e-6; ///< mm, degrees, seconds; feed rates are stored as floats
 
 std::string number(double value) {
     const double rounded = std::round(value * 1e7) / 1e7;

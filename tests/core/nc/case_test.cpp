@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every file of tests/data/fanuc, grbl and mach: what a control does with a program, by the rule that it
-// names.
+// Every file of tests/data/fanuc, grbl and mach: what a control does with a program, by the rule that the
+// file names.
 #include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ std::string listed(const std::vector<std::string>& steps) {
 
 TEST_P(Case, DoesWhatItsRuleSays) {
     CaseFile file = readCase(GetParam());
-    // Subprograms in files of their own lie in the folder of that name.
+    // Subprograms in separate files are in the folder with the name of the case.
     file.options.subprogramFolders = {fs::path(GetParam()).replace_extension()};
     const auto program = interpret(NcText(file.program), file.options);
     const std::vector<std::string> actual = stepsOf(*program);

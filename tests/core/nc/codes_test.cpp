@@ -38,7 +38,7 @@ TEST(Codes, TakeEffectAtOneStepAGroup) {
         EXPECT_EQ(row.supported(), row.step != Step::none) << row.letter << row.tenths;
         for (const CodeRow* another : linuxcnc().rows()) {
             const CodeRow& other = *another;
-            // Two codes of different groups at one step would overwrite each other in a block.
+            // Two codes of different groups in the same step would overwrite each other in a block.
             if (row.supported() && other.supported() && row.step == other.step &&
                 row.group != ModalGroup::motionOff && other.group != ModalGroup::motionOff) {
                 EXPECT_EQ(row.group, other.group) << row.name << " / " << other.name;
@@ -47,7 +47,7 @@ TEST(Codes, TakeEffectAtOneStepAGroup) {
     }
 }
 
-/// As its interpreter answers for every pair of its codes.
+/// Expected values are the results of LinuxCNC's interpreter for every pair of codes.
 TEST(Codes, ExcludeEachOtherAsLinuxCncHasThem) {
     const auto conflicts = [](const char* block) {
         const auto program = interpret(NcText(std::string("G21 F100 S100 M70\n") + block + "\nM2\n"));
@@ -63,7 +63,7 @@ TEST(Codes, ExcludeEachOtherAsLinuxCncHasThem) {
         EXPECT_FALSE(conflicts(block)) << block;
 }
 
-/// "G92 X5 G92.1" counts from there and forgets it again.
+/// "G92 X5 G92.1" sets the shift for this block and then clears it.
 TEST(Codes, EndAShiftAfterWhatTheBlockDoesOtherwise) {
     InterpretOptions options;
     options.assumeStartAtZero = true;

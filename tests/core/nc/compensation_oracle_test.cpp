@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutter compensation against LinuxCNC's stand-alone interpreter, on random programs.
+// Compares cutter compensation with LinuxCNC's stand-alone interpreter, on random programs.
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -22,14 +22,14 @@ namespace fs = std::filesystem;
 const fs::path kOracle = fs::path(PROVEOUT_SHARED_DIR) / "oracle" / "oracle.py";
 constexpr int kPrograms = 400;
 constexpr double kDiameter = 6;
-/// The listing has four decimals, and what a corner multiplies them by.
+/// The listing has four decimals, and a corner magnifies the rounding error.
 constexpr OracleTolerances kListing{2e-4, 2e-3};
 
 bool oracleIsHere() {
     return fs::exists(kOracle) && std::system("command -v rs274 python3 > /dev/null") == 0;
 }
 
-/// What may stand between two motions without ending compensation.
+/// A line that may be between two motions without ending compensation.
 std::string between(std::mt19937& random) {
     const std::vector<std::string> lines{
         "", "", "", "", "", "", "", "G1 Z-1\n", "G4 P1\n", "M8\n", "F200\n", "G1 Z-2\nG1 Z3\n", "G91\nG90\n"};
@@ -52,7 +52,7 @@ std::string programOf(std::mt19937& random) {
     return text + (random() % 2 == 0 ? "G40 G1 X-100\nM2\n" : "M2\n");
 }
 
-/// The oracle's answers to all programs of a folder.
+/// Runs the oracle for all programs of a folder.
 void ask(const fs::path& folder) {
     const std::string command =
         fmt::format("python3 '{}' batch '{}' -j 1 --gz-above 0 --tool-dia {} > /dev/null", kOracle.string(),
@@ -60,7 +60,7 @@ void ask(const fs::path& folder) {
     ASSERT_EQ(std::system(command.c_str()), 0);
 }
 
-/// Where both differ; empty where they agree.
+/// The first difference between both; empty if they agree.
 std::string disagreement(const fs::path& file, int& refused) {
     const OracleAnswer answer = readAnswer(file);
     const auto text = NcText::load(file);

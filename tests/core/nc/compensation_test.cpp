@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutter compensation as geometry: how far the tool's centre keeps from the path.
+// The geometry of cutter compensation: the distance of the tool's centre from the path.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -63,7 +63,8 @@ double distanceTo(const PlanePath& path, const Vec2& point) {
     return t > 0 && t < 1 ? glm::distance(point, path.start + along * t) : ends;
 }
 
-/// Every point of the motions of a line of text keeps the radius from that line's path and its neighbours.
+/// Expects that every point of the motions of a line keeps the radius as its distance from that line's path
+/// and its neighbours.
 void expectDistance(const Program& program, const std::vector<PlanePath>& paths) {
     constexpr std::size_t kFirstLine = 3;
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
@@ -78,7 +79,7 @@ void expectDistance(const Program& program, const std::vector<PlanePath>& paths)
             EXPECT_NEAR(nearest, kRadius, kExact) << "motion " << i << " of line " << motion.line;
             if (own + 1 < paths.size())
                 nearest = std::min(nearest, distanceTo(paths[own + 1], point));
-            // The entry is on its way to that distance.
+            // The entry motion is still approaching that distance.
             if (own > 1) {
                 EXPECT_GE(nearest, kRadius - kExact) << "motion " << i << " of line " << motion.line;
             }
@@ -100,7 +101,7 @@ TEST(Compensation, KeepsTheRadiusFromThePath) {
     const auto seed = randomSeed();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
-    // Corners that are joined, and paths that do not turn back to their neighbours.
+    // Corners that can be joined, and paths that do not turn back towards their neighbours.
     const RandomPathShape shape{6, 15, 60, 1.0, 0.06, 15, 1.2};
     int kept = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -135,7 +136,7 @@ TEST(Compensation, KeepsTheProgrammedEnds) {
 
 TEST(Compensation, BoundsHoldTheShortenedMotions) {
     const auto program = interpreted("G21 G90 F100 T1 M6\nG41\nG1 X20\nG1 Y20\nG1 X0\nM2\n");
-    // The second motion was to end at Y20 before the corner was known.
+    // The second motion ended at Y20 until the corner was computed.
     EXPECT_DOUBLE_EQ(program->bounds().hi.y, 17);
     EXPECT_DOUBLE_EQ(program->motion(1).end.y, 17);
     EXPECT_DOUBLE_EQ(program->programmedEnd(1).y, 20);
@@ -146,7 +147,7 @@ TEST(Compensation, FromAnUnknownPlaceIsReported) {
     const auto program = interpret(NcText("G41.1 D6\nG0 X10 Y0 Z0\nG1 F100 X50\nG1 Y50\nG40 G1 X0\nM2\n"));
     EXPECT_TRUE(reportedId(*program, "compensation-from-unknown"));
     EXPECT_TRUE(program->unverified());
-    // The motion after it begins compensation.
+    // The next motion starts compensation.
     EXPECT_EQ(program->motion(1).end, Vec3(47, 3, 0));
 }
 

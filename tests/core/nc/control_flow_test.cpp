@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subprograms in files, limits, and what is told where the flow of a program leads nowhere.
+// Subprograms in files, limits, and what is reported if the flow of a program leads nowhere.
 #include <chrono>
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -45,12 +45,12 @@ TEST(ControlFlow, RunsSubprogramsOfTheirOwnFiles) {
     EXPECT_TRUE(program->diagnostics().empty());
     ASSERT_EQ(program->motionCount(), 3U);
     EXPECT_EQ(program->motion(2).end.x, 13);
-    // A motion of such a file belongs to the line that called it.
+    // A motion of such a file is attributed to the line that called it.
     EXPECT_EQ(program->motion(1).line, 3U);
     EXPECT_EQ(program->motion(2).line, 4U);
 }
 
-/// As LinuxCNC: behind words or a comment M98 is no code that it knows.
+/// As in LinuxCNC: after other words or a comment, M98 is an unknown code.
 TEST(ControlFlow, CallsByNumberAtTheBeginningOfABlockOnly) {
     const std::string sub = "\nM2\nO102\nG1 X3\nM99\n";
     EXPECT_EQ(reportedBy("F100\nN5 M98 P102 L2" + sub), "");
@@ -68,7 +68,7 @@ TEST(ControlFlow, ReturnsByABlockOfItsOwnOnly) {
     EXPECT_EQ(reportedBy("G91 F100\nG1 X3\nG90 M99\n"), "");
 }
 
-/// LinuxCNC meets the break when it looks for the end of the loop, whether or not it was executed.
+/// LinuxCNC finds the break when it searches for the end of the loop, whether or not it was executed.
 TEST(ControlFlow, RefusesABreakOfARepeatWhereTheLoopEnds) {
     const std::string loop = "o1 if [0]\no9 break\no1 endif\nG1 X3\no9 endrepeat\nM2\n";
     EXPECT_EQ(reportedBy("F100\no9 repeat [2]\n" + loop), "4:1 flow-partner\n");
@@ -142,7 +142,7 @@ TEST(ControlFlow, AnEndlessLoopIsShownForItsFirstRounds) {
     EXPECT_TRUE(program->unverified());
 }
 
-/// Each of these ends, by something else than a variable of its own level.
+/// Each of these ends because of something other than a variable of its own level.
 TEST(ControlFlow, TakesNoLoopForEndlessThatEnds) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
@@ -162,7 +162,7 @@ TEST(ControlFlow, EndsALoopAtTheLimitOfWhatItRepeats) {
     const auto counting =
         interpret(NcText("G0 X0\no1 while [1]\n#1=[#1+1]\nG91 G0 X1\no1 endwhile\nM2\n"), options);
     EXPECT_STREQ(counting->diagnostics().front().id, "too-many-steps");
-    EXPECT_EQ(counting->motionCount(), 2U); // what the loop made when it ran first
+    EXPECT_EQ(counting->motionCount(), 2U); // the motions of the first pass through the loop
     EXPECT_EQ(counting->bounds().hi.x, 1);
     options.maxIdle = 500;
     EXPECT_EQ(reportedBy("#1=0\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n", options),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the control stands at a block, against what the text says.
+// The state of the control at a block, compared with the text.
 #include "core/nc/program/control_state.h"
 
 #include <algorithm>

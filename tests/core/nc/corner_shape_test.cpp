@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chamfers and corner radii between random paths, against what makes them such.
+// Chamfers and corner radii between random paths, checked by their definitions.
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ double cross(const Vec2& a, const Vec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Whether two paths that follow each other have one heading there.
+/// Expects that two consecutive paths are tangent where they meet.
 void expectSmooth(const PlanePath& before, const PlanePath& after) {
     EXPECT_LT(glm::distance(before.end, after.start), kExact);
     EXPECT_LT(glm::distance(headingAtEnd(before), headingAtStart(after)), kExact);

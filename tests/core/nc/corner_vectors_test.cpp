@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vectors at corners, by the figures of Fanuc's manuals.
+// The vectors at corners, compared with the figures of Fanuc's manuals.
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vector>
@@ -28,7 +28,7 @@ const PlanePath kAlongX = line({-20, 0}, {0, 0});
 const PlanePath kUp = line({0, 0}, {0, 20});
 const PlanePath kDown = line({0, 0}, {0, -20});
 const PlanePath kSharpBack = line({0, 0}, {-20, -20});
-/// Clockwise about a point below: it begins by going down.
+/// Clockwise around a centre below the start, so it starts downwards.
 const PlanePath kArcDown{{0, 0}, {-20, -20}, {-20, 0}, -kPi / 2};
 
 } // namespace

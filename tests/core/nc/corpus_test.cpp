@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Against LinuxCNC: programs written by others, and what its own interpreter makes of them.
+// Compares with LinuxCNC: third-party programs, and the results of its own interpreter for them.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -22,15 +22,16 @@ using nlohmann::json;
 
 const fs::path kCorpus = fs::path(PROVEOUT_SHARED_DIR) / "corpus";
 
-/// A sanitizer makes all code slower.
+/// A sanitizer slows down all code.
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
 constexpr double kSlowness = 20;
 #else
 constexpr double kSlowness = 1;
 #endif
-constexpr std::uint64_t kSteps = 1'000'000; ///< the longest program has 0.4 million lines; some are endless
+constexpr std::uint64_t kSteps = 1'000'000; ///< the longest program has 0.4 million lines; some programs
+                                            ///< never end
 
-/// What this interpreter does not claim to understand: programs that need it are not compared.
+/// Features that this interpreter does not support: programs that need them are not compared.
 const std::map<std::string, const char*> kBeyondSubset{
     {"code-unsupported", "a code that is known but not supported"},
     {"code-unknown", "a code that the three-axis mill does not know"},
@@ -39,11 +40,11 @@ const std::map<std::string, const char*> kBeyondSubset{
     {"nc-encoding", "not a text"},
 };
 
-/// Errors of ours on programs that LinuxCNC runs: we are stricter on purpose.
+/// Our errors in programs that LinuxCNC runs, where we are stricter on purpose.
 const std::set<std::string> kStricter{"number-double-sign", "arc-turns", "spline-handle", "spline-plane",
                                       "diameter-mode"};
 
-/// Programs on which we differ on purpose, each with the reason.
+/// Programs with deliberate differences, each with the reason.
 const std::map<std::string, const char*> kReasons{
     {"linuxcnc-nc_files/nc_files/x-trim.ngc",
      "a missing subprogram is told at its call, not at the end of the file"},
@@ -63,7 +64,7 @@ const std::map<std::string, const char*> kReasons{
      "the stand-alone interpreter backs off 0.254 mm from where it has probed"},
 };
 
-/// The first message with an id of `ids`; null where there is none.
+/// The first message with one of the `ids`; null if there is none.
 template<typename Ids>
 const Diagnostic* firstOf(const Program& program, const Ids& ids) {
     for (const Diagnostic& diagnostic : program.diagnostics()) {
@@ -181,7 +182,7 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
         options.maxMotions = kSteps;
         std::shared_ptr<const Program> program;
         const auto secondsUsed = [&] {
-            const std::clock_t begin = std::clock(); // of the processor
+            const std::clock_t begin = std::clock(); // CPU time
             program = interpret(*text, options);
             return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         };
@@ -191,7 +192,8 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
                                                                      "loop-without-motion"}) != nullptr;
         const double allowed = 0.1 + 2e-6 * static_cast<double>(entry.file_size()) +
                                (endless ? 1e-6 * static_cast<double>(kSteps) : 0.0);
-        // Two cores may be one, and then the other half's work slows this one down: the least counts.
+        // Two logical cores may share a physical one, and then load on the other one slows this down: the
+        // shortest time counts.
         for (int again = 0; again < 2 && seconds >= allowed * kSlowness; ++again)
             seconds = std::min(seconds, secondsUsed());
         EXPECT_LT(seconds, allowed * kSlowness) << name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The spindle in the canned cycles of Fanuc's dialect, which the case files do not show. Source: operator's
-// manual B-64304EN-2, canned cycles for drilling, rigid tapping.
+// The spindle in the canned cycles of the Fanuc dialect, which the case files do not cover. Source:
+// operator's manual B-64304EN-2, canned cycles for drilling, rigid tapping.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
@@ -26,7 +26,7 @@ void PrintTo(const Turn& turn, std::ostream* out) {
     *out << (turn.kind == MotionKind::rapid ? "rapid" : "feed") << " Z" << turn.z << " S" << turn.rpm;
 }
 
-/// The motions of line `line`.
+/// The motions of source line `line`.
 std::vector<Turn> turnsOf(const std::string& text, std::uint32_t line, DialectId dialect = DialectId::fanuc) {
     InterpretOptions options;
     options.dialect = dialect;
@@ -98,7 +98,7 @@ TEST(Cycles, M5StopsTheSpindleBehindTheMotionOfItsBlock) {
     EXPECT_EQ(turnsOf(text, 3), (std::vector<Turn>{{kFeed, 5, 0}}));
 }
 
-/// Against the pecks made one by one.
+/// Compares with the pecks generated one by one.
 TEST(Cycles, PecksAreCountedBeforeTheyAreMade) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -116,7 +116,7 @@ TEST(Cycles, PecksAreCountedBeforeTheyAreMade) {
             step = std::max(step - pecks.less, pecks.least);
         }
         const double counted = pecks.count(depth);
-        // The last one that shrinks may count as several of the least.
+        // The last decreasing peck may count as several of the minimum.
         const double shallow = pecks.least > 0 ? pecks.less / pecks.least : 0;
         ASSERT_GE(counted, made) << pecks.first << ' ' << pecks.less << ' ' << pecks.least << ' ' << depth;
         ASSERT_LE(counted, made + 3 + shallow)
@@ -126,7 +126,7 @@ TEST(Cycles, PecksAreCountedBeforeTheyAreMade) {
     EXPECT_GT((Pecks{.first = 1e-300, .least = 1e-300}.count(10)), 1e300);
 }
 
-/// The longest holes and rows of holes that people drill are far below the limit of a block.
+/// The longest holes and rows of holes in practice are far below the limit of a block.
 TEST(Cycles, LongJobsOfOneBlockAreDrilled) {
     const std::string head = "G21 G90 G0 X0 Y0 Z5. S500 M3 F500.\n";
     InterpretOptions options;

@@ -92,7 +92,7 @@ TEST(Dialects, AreNotGuessedByCommentsThatMentionOne) {
          {"( Fanuc M98 requires P-word )", "; Fanuc-style: all params are changed", "(PRINT,X FANUC)",
           "( Note: modified for compatibility with Mach3)", "(tap.ngc of grbl)", "(postamble of Machine 3)"})
         EXPECT_TRUE(guessDialect(NcText(std::string(comment) + "\nG0 X1\nM2\n")).reasons.empty()) << comment;
-    // What no other control reads outranks a name.
+    // Syntax that only one control supports takes precedence over a name.
     EXPECT_EQ(guessed("(Post Processor: grbl_post)\no<a> sub\no<a> endsub\nM2\n"), DialectId::linuxcnc);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random programs against LinuxCNC's stand-alone interpreter. PROVEOUT_SHARE=40 tries 20,000 of them,
-// PROVEOUT_SEED repeats a run; the first programs that differ are printed as short as they still differ.
+// Compares random programs with LinuxCNC's stand-alone interpreter. PROVEOUT_SHARE=40 tries 20,000 of them,
+// PROVEOUT_SEED repeats a run; the first programs that differ are printed, shortened as far as they still
+// differ.
 #include <cctype>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -38,8 +39,8 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-/// The program up to the last block before its first error, or before what LinuxCNC is told to run otherwise:
-/// what both must agree on.
+/// The program up to the last block before its first error, or before a block after which LinuxCNC is known
+/// to continue differently: the part on which both must agree.
 std::shared_ptr<const Program> upToParting(const NcText& text, InterpretOptions options,
                                            const Program& whole) {
     std::size_t without = 0;
@@ -52,7 +53,7 @@ std::shared_ptr<const Program> upToParting(const NcText& text, InterpretOptions 
     return interpret(text, options);
 }
 
-/// Where and why either stops.
+/// Where and why each of them stops.
 std::string refusals(const OracleAnswer& answer, const Program& ours) {
     const Diagnostic* error = firstError(ours);
     return fmt::format("LinuxCNC stops at line {} ({}), we at line {} ({})", answer.errorLine,
@@ -60,7 +61,7 @@ std::string refusals(const OracleAnswer& answer, const Program& ours) {
                        error == nullptr ? "" : error->id);
 }
 
-/// What the stand-alone interpreter takes a probe to meet.
+/// Where the stand-alone interpreter assumes that a probe is triggered.
 class Backup : public ProbeTarget {
 public:
     Answer probe(const Program& /*program*/, const Motion& motion, Seek /*seek*/,
@@ -80,7 +81,7 @@ class Comparison {
 public:
     Comparison() : m_tools(toolsOfRandomPrograms()), m_oracle(m_tools) {}
 
-    /// Where both differ without a reason that is written down; empty where they agree.
+    /// The first difference without a documented reason; empty if they agree.
     Outcome compare(const std::vector<std::string>& lines) const {
         const std::string text = joined(lines);
         const OracleAnswer answer = m_oracle.run(text);
@@ -104,7 +105,7 @@ private:
     PartToProbe m_part{std::make_shared<ProbedEverywhere>()};
 };
 
-/// What stays the same of a difference when a program becomes shorter.
+/// The part of a difference that stays the same when a program is shortened.
 std::string shapeOf(const Outcome& outcome) {
     constexpr std::size_t kBeginning = 40;
     std::string shape;
@@ -115,7 +116,7 @@ std::string shapeOf(const Outcome& outcome) {
     return shape.substr(0, kBeginning);
 }
 
-/// The lines without those that the difference does not need.
+/// The lines without those that the difference does not depend on.
 std::vector<std::string> shrunk(const Comparison& comparison, std::vector<std::string> lines,
                                 const Outcome& outcome) {
     const std::string shape = shapeOf(outcome);
@@ -133,7 +134,7 @@ std::vector<std::string> shrunk(const Comparison& comparison, std::vector<std::s
     return lines;
 }
 
-/// Letter and tenths of every G and M word of a line.
+/// Adds letter and tenths of every G and M word of a line.
 void addCodes(const std::string& line, std::set<std::pair<char, int>>& codes) {
     static const std::regex kCode("([GgMm])([0-9]+)(?:[.]([0-9]))?");
     for (std::sregex_iterator it(line.begin(), line.end(), kCode), end; it != end; ++it) {

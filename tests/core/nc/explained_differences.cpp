@@ -60,14 +60,14 @@ constexpr Stricter kStricter[] = {
     {"code-unknown", "g72.2", kLatheCycle},
 };
 
-/// Our messages about programs that do not come to an end.
+/// Our messages about programs that never end.
 const std::set<std::string> kEndless{"too-many-steps", "too-many-again", "main-return", "endless-loop",
                                      "loop-without-motion"};
 
-/// Codes of LinuxCNC that are known and not supported.
+/// Codes of LinuxCNC that we know but do not support.
 const std::set<std::string> kNotOfMills{"G17.1", "G18.1", "G19.1", "G70", "G71", "G72", "G76"};
 
-/// Motions in step with the spindle, and NURBS.
+/// Spindle-synchronised motions, and NURBS.
 const std::set<std::string> kInStep{"G33", "G33.1", "G5.2", "G5.3"};
 
 /// What LinuxCNC refuses and we run, by its message, each with the reason.
@@ -99,7 +99,7 @@ constexpr Milder kMilder[] = {
     {"Zero or negative argument to ln", "endsub", kGivenBack},
 };
 
-/// The reason for which only one of both refuses a line, and whose records end there.
+/// The reason why only one of them refuses a line, which ends its records.
 struct Reason {
     const char* text = nullptr; ///< null: there is none
     Extent extent = Extent::whole;
@@ -110,7 +110,7 @@ std::string inLowerCase(std::string text) {
     return text;
 }
 
-/// Whether a line has a text; the last line where there is no such line.
+/// Whether a line contains a text; uses the last line if the number is invalid.
 bool has(const std::vector<std::string>& lines, int line, const char* text) {
     const auto index = line > 0 ? static_cast<std::size_t>(line) : lines.size();
     return inLowerCase(lines.at(std::min(index, lines.size()) - 1)).find(text) != std::string::npos;
@@ -136,7 +136,7 @@ Reason milderAt(const std::vector<std::string>& lines, const OracleAnswer& answe
     return {};
 }
 
-/// LinuxCNC refuses some blocks only when they are half done; what they did until then is not compared.
+/// LinuxCNC refuses some blocks only after executing part of them; that part is not compared.
 OracleAnswer upToError(const OracleAnswer& answer) {
     OracleAnswer before = answer;
     while (answer.errorLine > 0 && !before.records.empty() && before.records.back()["l"] == answer.errorLine)
@@ -144,7 +144,7 @@ OracleAnswer upToError(const OracleAnswer& answer) {
     return before;
 }
 
-/// A program without end: we must stop at a limit, or at M99, and agree until then.
+/// For a program that never ends: we must stop at a limit or at M99, and both must agree up to there.
 Outcome outcomeOfEndless(const OracleAnswer& answer, const OurAnswer& ours) {
     const bool noticed = std::ranges::any_of(ours.whole.diagnostics(), [](const Diagnostic& diagnostic) {
         return kEndless.contains(diagnostic.id);
@@ -168,7 +168,7 @@ Outcome outcomeOfLost(const OracleAnswer& answer, const OurAnswer& ours) {
     return outcomeOfBeginning(upToError(answer), ours.whole, answer.lost.c_str());
 }
 
-/// Under compensation the last motion before our first error waits for the next one.
+/// With compensation, the last motion before our first error waits for the next one.
 Outcome outcomeUpToWaiting(const OracleAnswer& answer, const OurAnswer& ours, const char* reason) {
     OracleAnswer beginning = upToError(answer);
     const std::size_t known = ours.upToError.motionCount();
@@ -176,14 +176,14 @@ Outcome outcomeUpToWaiting(const OracleAnswer& answer, const OurAnswer& ours, co
     return outcomeOfBeginning(beginning, ours.whole, reason);
 }
 
-/// LinuxCNC runs G33 and its like in compensation, without the spindle, and NURBS as if there were none; the
-/// motion before depends on theirs.
+/// LinuxCNC runs G33 and similar codes during compensation, without the spindle, and NURBS as if compensation
+/// was off; the motion before depends on them.
 Outcome outcomeOfForbidden(const OracleAnswer& answer, const OurAnswer& ours) {
     return outcomeUpToWaiting(
         answer, ours, "LinuxCNC forgets the spindle of G33 and the compensation of NURBS where both meet");
 }
 
-/// Of one of both, or of either: which line is reached first depends on calls and loops.
+/// The reasons for one or both of them, because calls and loops decide which line is reached first.
 std::vector<Reason> reasonsFor(const std::vector<std::string>& lines, const OracleAnswer& answer,
                                const OurAnswer& ours) {
     std::vector<Reason> reasons;
@@ -197,7 +197,7 @@ std::vector<Reason> reasonsFor(const std::vector<std::string>& lines, const Orac
     return reasons;
 }
 
-/// Whether what one of both shows is the beginning of what the other one shows.
+/// Whether the steps of one of them are the beginning of those of the other.
 bool isBeginning(const OracleAnswer& answer, const OurAnswer& ours, Extent extent) {
     std::string why;
     const Program& compared = extent == Extent::oursBegins ? ours.upToError : ours.whole;
@@ -210,7 +210,7 @@ Outcome outcomeWithoutReason(const OracleAnswer& answer, const OurAnswer& ours) 
     const Diagnostic* error = firstError(ours.whole);
     const int theirLine = answer.errorClass == "no-program-end" ? 0 : answer.errorLine;
     const int ourLine = error == nullptr ? 0 : error->where.line;
-    // A motion that waits for the next one is lost where the program does not end.
+    // A motion that waits for the next one is lost if the program has no end.
     const bool waits = answer.errorClass == "no-program-end" && answer.compensated;
     const bool refused = answer.errorLine != 0 || ourLine != 0 || waits;
     std::string why;

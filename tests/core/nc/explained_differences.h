@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a comparison with LinuxCNC's interpreter found, and the differences that are meant.
+// The result of a comparison with LinuxCNC's interpreter, and the deliberate differences.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@ namespace proveout::test {
 
 struct Outcome {
     std::string kind; ///< "agrees", "refused by both", "differs", or the reason for a difference
-    std::string why;  ///< of a difference without a reason
+    std::string why;  ///< for a difference without a reason
 
     [[nodiscard]] bool differs() const { return !why.empty(); }
 };
 
-/// What we make of a program. References to programs that live longer.
+/// Our results for a program. The referenced programs must outlive this object.
 struct OurAnswer {
     const Program& whole;
-    const Program& upToError; ///< up to the last block before the first error, or isUnlikeControl()
+    const Program& upToError; ///< up to the last block before the first error or isUnlikeControl()
 };
 
 [[nodiscard]] Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer,

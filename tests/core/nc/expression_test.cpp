@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random expressions against a tree that is evaluated without any text; and what must be refused.
+// Compares random expressions with a tree that is evaluated without any text; and checks what must be
+// refused.
 #include "core/nc/codes/dialects.h"
 #include "core/nc/text/expression.h"
 
@@ -28,7 +29,7 @@ tl::expected<double, ReadError> valueOf(const std::string& text) {
     return ExpressionReader(text, {parameters, values, dialect(DialectId::linuxcnc)}).value(at, "X");
 }
 
-/// A text with brackets wherever precedence or association would ask for none, and its value.
+/// A text with redundant brackets wherever precedence or association does not need them, and its value.
 struct Sample {
     std::string text;
     double value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of corpus/faults-nc that need no more than this interpreter has: what must be said about each,
-// and where.
+// The files of corpus/faults-nc that need only features of this interpreter: what must be reported about
+// each, and where.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const fs::path kFaults = fs::path(PROVEOUT_SHARED_DIR) / "corpus" / "faults-nc";
 
-/// Messages as "line:column id", in order, and the number of motions.
+/// Messages as "line:column id", in sequence, and the number of motions.
 struct Expectation {
     const char* file;
     std::size_t motions;
@@ -116,7 +116,7 @@ TEST(Faults, AreReportedInTheirPlace) {
 }
 
 TEST(Faults, OthersAreNeverSilent) {
-    // The first is told where there is a tool table; the second is as it should be.
+    // The first is reported only with a tool table; the second is correct.
     const std::set<std::string> sound{"tool-unknown.ngc", "g92-stack.ngc"};
     if (!fs::exists(kFaults))
         GTEST_SKIP() << "the corpus is not here";

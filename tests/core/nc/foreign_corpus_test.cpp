@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The programs of the corpus: those of other controls are named, those of ours are not taken for others.
+// The programs of the corpus: those for unsupported controls are identified, and supported ones are not
+// mistaken for them.
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ namespace fs = std::filesystem;
 
 const fs::path kForeignCorpus = fs::path(PROVEOUT_SHARED_DIR) / "corpus";
 
-/// What the list of the corpus has as programs, but their control (or what runs them) is none of ours.
+/// Files that are programs in the corpus's list, but for a control (or other software) that we do not
+/// support.
 const std::map<std::string, std::string> kForeign{
     {"gcodeworkshop/examples/SINUMERIK840D.nc", "a Siemens Sinumerik program"},
     {"gcodeworkshop/examples/SINUMERIK850.nc", "a Siemens Sinumerik program"},
@@ -29,7 +31,7 @@ const std::map<std::string, std::string> kForeign{
     {"cncjs/examples/gcode/sample.gcode", "a 3D printer program"},
 };
 
-/// The path and the kind of every file in the list.
+/// Path and kind of every file in the list.
 std::vector<std::pair<std::string, std::string>> listed() {
     std::vector<std::pair<std::string, std::string>> files;
     std::ifstream in(kForeignCorpus / "MANIFEST.csv");

@@ -15,11 +15,11 @@ namespace {
 
 struct ForeignSample {
     const char* kind;
-    int line; ///< of the sign
+    int line; ///< line of the detected feature
     const char* text;
 };
 
-// Own texts in the manner of each.
+// Our own texts in the style of each control.
 const ForeignSample kForeign[] = {
     {"a Heidenhain conversational program", 1,
      "0 BEGIN PGM PLATE MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 BLK FORM 0.2 X+100 Y+60 Z+0\n"
@@ -61,7 +61,7 @@ const ForeignSample kForeign[] = {
     {"a rich text document", 1, "{\\rtf1\\ansi G0 X0 Y0\\par}\n"},
 };
 
-// What looks like another's at first sight.
+// Texts that resemble those of another control at first sight.
 const char* const kOurs[] = {
     "",
     "%\nO0001\nG0 X1.\nM30\n%\n",

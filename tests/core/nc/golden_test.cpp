@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Golden cases: every folder of tests/data/nc holds `program.ngc` and `expected.jsonl`, the records that
-// `interpret` must write for it. A record may leave out keys; "unverified" counts as false then. A first
-// record {"k":"options"} sets block_delete, start as a point or "unknown", or tools as an object of diameters
-// by number: {"1":{"diameter":6}}.
+// Golden cases: every folder of tests/data/nc contains `program.ngc` and `expected.jsonl`, the records that
+// `interpret` must write for it. A record may omit keys; a missing "unverified" means false. A first record
+// {"k":"options"} sets block_delete, start as a point or "unknown", or tools as an object of diameters by
+// number: {"1":{"diameter":6}}.
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -12,7 +12,7 @@ namespace proveout {
 
 namespace {
 
-/// The ids of the messages of a program that does `line` and moves.
+/// The message ids of a program that executes `line` and then moves.
 std::vector<std::string> reported(const std::string& line, DialectId dialect = DialectId::haas) {
     InterpretOptions options;
     options.dialect = dialect;

@@ -53,7 +53,7 @@ TEST(IgnoredCodes, OfTheControlAreListedAndLeaveTheRestVerified) {
         EXPECT_EQ(d.severity, Severity::note);
     ASSERT_EQ(program->ignoredCodes().size(), 2U);
     EXPECT_EQ(program->ignoredCodes().at(11).lines, (std::vector<std::uint32_t>{2, 6}));
-    // The axis words beside M11 belong to the motion in force.
+    // The axis words in the block with M11 belong to the active motion mode.
     EXPECT_EQ(program->motionCount(), 4U);
     EXPECT_EQ(program->endOf(2), Vec3(10, 0, -1));
 }
@@ -88,7 +88,7 @@ TEST(IgnoredCodes, AreNotThoseWithAKnownEffect) {
                   program->diagnostics(),
                   [](const Diagnostic& d) { return std::string_view(d.id) == "ignored-code-executed"; }),
               3);
-    // A call into the memory of the control is known, and moves: no list makes it harmless.
+    // A call of a program in the control's memory is known to cause motion: no list makes it harmless.
     EXPECT_TRUE(read("M198 P2\nM30\n", DialectId::fanuc, {198})->unverified());
 }
 
@@ -103,7 +103,7 @@ TEST(IgnoredCodes, OfTheTablesDoNothingToSpindleToolOrProgram) {
                 << dialect.key << " M" << row->tenths;
         }
     }
-    // On a Haas M16 changes the tool.
+    // On a Haas, M16 changes the tool.
     EXPECT_EQ(codesOf(DialectId::haas).find('M', 160)->group, ModalGroup::toolChange);
 }
 
@@ -130,7 +130,7 @@ TEST(MCodeList, IsReadAsPeopleWriteIt) {
     }
 }
 
-/// One message a mistake: that the position is lost behind it is part of it.
+/// One message per mistake: the position that is lost because of it causes no second one.
 TEST(LostPosition, IsNotReportedOnceMoreBehindAnError) {
     const char* const after = "\nG1 X10. F100\nX20. Y5.\nZ-1.\nM30\n";
     for (const char* wrong : {"X5. Y5. Z", "G1 X1.2.3 Y5. Z1. F100", "G1 G0 X5. Y5. Z1. F100",
@@ -139,12 +139,12 @@ TEST(LostPosition, IsNotReportedOnceMoreBehindAnError) {
             read(std::string("G21 G90 G17\nG0 X0. Y0. Z5.\n") + wrong + after, DialectId::linuxcnc);
         EXPECT_EQ(program->diagnostics().size(), 1U) << wrong << "\n" << reported(*program).back();
         EXPECT_TRUE(program->unverified()) << wrong;
-        // What comes from an unknown place still cuts nothing.
+        // A motion from an unknown position still cuts nothing.
         EXPECT_NE(program->motion(1).startKnown, kAllAxes) << wrong;
     }
 }
 
-/// The simulation reports the tool; that its registers are empty is part of that.
+/// The simulation reports the missing tool, so its empty offsets cause no second message.
 TEST(MissingTool, IsNotReportedOnceMoreByItsRegisters) {
     const auto ids = [](const std::string& block) {
         InterpretOptions options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What golden cases cannot say: limits, stopping, time, and what is stored beside the records.
+// What golden cases cannot express: limits, stopping, time, and what is stored besides the records.
 #include "core/nc/run/interpreter.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace proveout {
 
 namespace {
 
-/// Of the processor, the least of three runs: what else the machine does is no matter.
+/// CPU time, the shortest of three runs, so that other load on the machine does not matter.
 double secondsOf(const std::function<void()>& work) {
     double least = std::numeric_limits<double>::infinity();
     for (int run = 0; run < 3; ++run) {
@@ -85,7 +85,7 @@ TEST(Interpreter, SaysNothingOfTheWholeWhereItWasStopped) {
 }
 
 TEST(Interpreter, ReportsTheSmallerRadiusWhereAnArcHasNone) {
-    // As texts, "10" stands before "5e-05".
+    // As text, "10" would sort before "5e-05".
     const auto program = interpret(NcText("G0 X0 Y0 Z0\nF100\nG2 X10 Y0 I-0.00005 J0\nM2\n"));
     ASSERT_EQ(program->diagnostics().size(), 1U);
     EXPECT_EQ(std::string(program->diagnostics()[0].id), "arc-zero-radius");
@@ -259,7 +259,7 @@ TEST(Interpreter, LongLinesTakeNoTime) {
 }
 
 TEST(Interpreter, KeepsTheBytesOfAMotionSmall) {
-    // Ten million lines must fit into a laptop; the figure is that of the packed motion.
+    // Ten million lines must fit into a laptop's memory; the figure is that of the packed motion.
     InterpretOptions options;
     options.assumeStartAtZero = true;
     const auto program = interpret(NcText(repeated("G91 G1 X1 Y1 F100\n", 1000)), options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a line means where it is executed first: values, parameters, codes before and behind it.
+// The meaning of a line when it is first executed: values, parameters, codes before and after it.
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ LineValues valuesOf(const std::string& text, std::uint32_t line, bool toEnd = fa
     return *interpret(NcText(text), watching(line, toEnd, dialect))->lineValues();
 }
 
-/// "12.5 mm" of the word that begins at `begin`.
+/// The value, e.g. "12.5 mm", of the word that starts at `begin`.
 std::string valueAt(const LineValues& values, std::size_t begin) {
     const auto found = std::ranges::find(values.words, begin, &LineValues::Value::begin);
     if (found == values.words.end())

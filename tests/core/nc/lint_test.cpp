@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every rule with a program that breaks it and the same program as it should be.
+// Every rule with a program that violates it, and the same program corrected.
 #include "core/nc/run/lint.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 struct Twins {
     std::string_view id;
-    int line; ///< of the message
+    int line; ///< line of the message
     DialectId dialect;
     std::string bad;
     std::string clean;

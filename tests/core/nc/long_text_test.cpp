@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts of which each line once cost as much as all lines before it: a megabyte of them took minutes. The
-// time asserted is many times what they take now.
+// Texts in which each line used to cost as much as all lines before it, so that a megabyte took minutes. The
+// asserted time is many times the current one.
 #include <chrono>
 #include <fmt/format.h>
 #include <functional>
@@ -74,7 +74,7 @@ TEST(LongText, MessagesStayShort) {
             ASSERT_LE(argument.text().size(), 2003U);
 }
 
-/// What is remembered of missing files is not told of others.
+/// What is cached about missing files must not affect other files.
 TEST(LongText, AMissingProgramHidesNoOther) {
     const TemporaryFolder folder;
     folder.put("O0002.nc", "O2\nG0 X5.\nM99\n");

@@ -19,7 +19,7 @@ constexpr std::array kPlain{ModalGroup::plane,    ModalGroup::distance,    Modal
                             ModalGroup::feedMode, ModalGroup::units,       ModalGroup::retract,
                             ModalGroup::polar,    ModalGroup::spindleMode, ModalGroup::workOffset};
 
-/// Of Haas' additional work offsets, and G70 and G71 of Mach: shown by the usual name.
+/// Haas' additional work offsets, and G70 and G71 of Mach, are shown by their usual name.
 bool isOtherName(const CodeRow& row) {
     return row.tenths >= 1000 || (row.group == ModalGroup::units && row.tenths >= 700);
 }
@@ -29,7 +29,7 @@ bool isPlain(const CodeRow& row) {
            row.letters.empty() && !isOtherName(row);
 }
 
-/// The code of a group that a program has left in force, as the control panel shows it.
+/// The active code of a group at the end of a program, as the control panel shows it.
 std::string codeLeftBy(const std::string& text, const char* group, DialectId dialect) {
     InterpretOptions options;
     options.dialect = dialect;

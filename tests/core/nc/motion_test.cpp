@@ -97,7 +97,7 @@ TEST(Motion, LengthOfArcsIsThatOfAFinePolygon) {
         for (int i = 0; i < kPieces; ++i)
             length += glm::length(definedPoint(motion, (i + 1.0) / kPieces) -
                                   definedPoint(motion, i * 1.0 / kPieces));
-        // A chord is shorter than its arc by the square of its angle over 24.
+        // The relative difference in length between an arc and its chord is the square of the angle over 24.
         const double angle = motion.sweep / kPieces;
         EXPECT_NEAR(pathLength(motion), length, length * (angle * angle / 24 * 1.1 + 1e-12));
     }

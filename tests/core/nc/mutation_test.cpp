@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever the text: an answer in time, with finite numbers and places that exist.
+// For any text: a result in time, with finite numbers and valid locations.
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
@@ -90,7 +90,7 @@ std::string randomProgram(std::mt19937& random) {
     return text;
 }
 
-/// Programs made of whole words, so that they get as far as the geometry.
+/// Programs of complete words, so that they reach the geometry.
 std::string randomMotions(std::mt19937& random) {
     std::string text = "G0 X0 Y0 Z0 F100\n";
     for (std::size_t n = random() % 40; n > 0; --n) {
@@ -106,7 +106,7 @@ std::string randomMotions(std::mt19937& random) {
     return text;
 }
 
-/// Lines and arcs under cutter compensation that ask more of it than it can give, small and large ones.
+/// Lines and arcs with cutter compensation that are impossible to compensate, small and large ones.
 std::string randomCompensated(std::mt19937& random) {
     std::string text = "G0 X0 Y0 Z0 F100\nG" + std::to_string(41 + random() % 2) + ".1 D" +
                        std::to_string(random() % 12) + "\n";
@@ -122,7 +122,7 @@ std::string randomCompensated(std::mt19937& random) {
     return text;
 }
 
-/// The same for compensation by registers, with what may stand between and in the mode.
+/// The same for compensation by registers, with other blocks in between that are allowed in this mode.
 std::string randomByRegister(std::mt19937& random) {
     const std::vector<std::string> between{
         "",       "",      "",         "G4 P1\n", "M8\n",        "G91 G28 Z0\nG90\n",

@@ -15,7 +15,7 @@ namespace proveout {
 
 namespace {
 
-/// Splits as an editor does, character by character.
+/// Splits like an editor, character by character.
 std::vector<std::string> splitLines(const std::string& text) {
     std::vector<std::string> lines(1);
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -83,7 +83,7 @@ TEST(NcText, RandomEditsEqualAString) {
     for (unsigned seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937 random(seed);
-        // Some texts are large against the pieces that are merged, some small.
+        // Some texts are large compared with the pieces that are merged, some small.
         std::string expected = randomText(random, seed % 3 == 0 ? 40000 : 200);
         NcText text(expected);
         for (int edit = 0; edit < 60; ++edit) {
@@ -112,7 +112,7 @@ TEST(NcText, TypingIntoALargeTextCopiesNoMegabytes) {
     for (int i = 0; i < 1000; ++i)
         text = text.replaced(offset++, 0, "5");
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    // Copying the 20 MB once takes milliseconds, a thousand times seconds.
+    // Copying the 20 MB once takes milliseconds, but a thousand times takes seconds.
     EXPECT_LT(seconds, 0.5);
     EXPECT_EQ(text.lineCount(), 2'000'001U);
 }

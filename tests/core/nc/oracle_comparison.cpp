@@ -12,12 +12,12 @@ namespace {
 
 using nlohmann::json;
 
-/// The motions and events of a program, one after the other, as one line of text or a motion.
+/// The motions and events of a program in sequence, one line of text per motion.
 struct Step {
     std::string kind;
     std::uint32_t line = 0;
     Motion motion;
-    double number = 0; ///< tool, seconds
+    double number = 0; ///< tool number or seconds
 };
 
 std::vector<Step> stepsOf(const Program& program) {
@@ -46,7 +46,7 @@ std::vector<Step> stepsOf(const Program& program) {
     return steps;
 }
 
-/// A number; the oracle writes what JSON cannot hold as text.
+/// A number; the oracle writes values that JSON cannot represent as text.
 double number(const json& value) {
     return value.is_string() ? std::nan("") : value.get<double>();
 }
@@ -55,8 +55,8 @@ double distance(const json& point, const Vec3& ours) {
     return glm::length(Vec3(number(point[0]), number(point[1]), number(point[2])) - ours);
 }
 
-/// With G93, LinuxCNC counts an arc with the radius of its start; where that at its end differs by the
-/// rounding of its words, so does the feed.
+/// With G93, LinuxCNC computes an arc's feed from the radius at its start; if the radius at its end differs
+/// because its words are rounded, so does the feed.
 double feedSlack(const Motion& motion) {
     if (motion.kind != MotionKind::arc)
         return 0;
@@ -89,7 +89,7 @@ std::string cuttingDifference(const json& record, const Motion& motion, bool wit
 
 std::string arcDifference(const json& record, const Motion& motion, const OracleTolerances& tolerances) {
     const double radius = number(record["r"]);
-    // An arc that is straight to a nanometre is handed on as a straight line.
+    // An arc that is straight within a nanometre is output as a straight line.
     if (motion.kind == MotionKind::feed && radius > 1e7)
         return {};
     if (distance(record["c"], motion.centre) > tolerances.centre)
@@ -110,7 +110,7 @@ std::string difference(const OracleAnswer& answer, const json& record, const Ste
     const bool asFeed = (kind == "probe" || kind == "tap") && step.kind == "feed";
     if (kind != step.kind && !flatArc && !asFeed)
         return fmt::format("{} (line {}) / {} (line {})", kind, record["l"].dump(), step.kind, step.line);
-    // Under cutter compensation the oracle tells the line at which it lets a motion go.
+    // With cutter compensation, the oracle reports the line at which it outputs a motion.
     if (!answer.compensated && record["l"].is_number() && record["l"].get<std::uint32_t>() != step.line)
         return fmt::format("line {} / {}", record["l"].dump(), step.line);
     if (kind == "tool")
@@ -125,14 +125,14 @@ std::string difference(const OracleAnswer& answer, const json& record, const Ste
     return why.empty() && kind == "arc" ? arcDifference(record, step.motion, tolerances) : why;
 }
 
-/// The oracle tells a spline as one record, which says nothing of where it goes: the motions behind it do.
+/// The oracle reports a spline as one record without its path, so the motions after it are compared.
 std::size_t behindSpline(const json& record, const std::vector<Step>& steps, std::size_t at) {
     while (at < steps.size() && steps[at].kind == "feed" && record["l"] == steps[at].line)
         ++at;
     return at;
 }
 
-/// Whether the oracle's arc lies in no plane of the machine.
+/// Whether the oracle's arc is in none of the machine's planes.
 bool turned(const json& record) {
     return record["k"] == "arc" &&
            std::ranges::none_of(record["n"], [](const json& n) { return std::abs(number(n)) == 1; });
@@ -142,8 +142,8 @@ Vec3 pointOf(const json& values) {
     return {number(values[0]), number(values[1]), number(values[2])};
 }
 
-/// We cut a turned arc into straight motions: their ends must lie on it. The step behind them; nothing where
-/// they do not.
+/// We split a rotated arc into straight motions, whose ends must be on it. Returns the step after them; empty
+/// if they are not on it.
 std::optional<std::size_t> behindTurnedArc(const json& record, const std::vector<Step>& steps, std::size_t at,
                                            double tolerance) {
     const Vec3 normal = pointOf(record["n"]);
@@ -158,14 +158,14 @@ std::optional<std::size_t> behindTurnedArc(const json& record, const std::vector
     return {};
 }
 
-/// The oracle tells a rigid tap as its way down only.
+/// The oracle reports only the way down of a rigid tap.
 bool returns(const std::vector<Step>& steps, std::size_t at) {
     return at < steps.size() && steps[at].kind == "feed" &&
            steps[at].motion.end == steps[at - 1].motion.start;
 }
 
-/// Whether a record is a rapid to where the tool is before a motion. The tool table of the stand-alone
-/// machine is in inches, so that a level that is reached already may lie a rounding error above the tool.
+/// Whether a record is a rapid to the position where the tool is already. The tool table of the stand-alone
+/// machine is in inches, so the target level may be above the tool by a rounding error.
 bool isStill(const json& record, const Step& next) {
     return record["k"] == "rapid" && (next.kind == "rapid" || next.kind == "feed" || next.kind == "arc") &&
            distance(record["e"], next.motion.start) < 1e-9;

@@ -25,7 +25,7 @@ std::string readPlain(const fs::path& file) {
     return out.str();
 }
 
-/// gzip is an essential package, so that no library is needed for reading its files in a test.
+/// gzip is an essential package, so a test needs no library for reading its files.
 std::string readPacked(const fs::path& file) {
     std::string quoted;
     for (const char c : file.string())
@@ -45,9 +45,9 @@ std::istringstream recordsOf(const fs::path& program) {
 }
 
 constexpr double kMmPerInch = 25.4;
-constexpr int kGeneratedTools = 100; ///< at least, where there is no table
+constexpr int kGeneratedTools = 100; ///< minimum, if there is no table
 
-/// The numbers of the generated table: the first hundred and those of the text.
+/// The numbers of the generated table: the first hundred, and those in the text.
 std::set<int> generatedTools(const fs::path& program) {
     std::set<int> numbers;
     for (int number = 1; number <= kGeneratedTools; ++number)

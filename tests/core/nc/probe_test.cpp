@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program gets of a probing motion, and when it is told that this is assumed.
+// What a program receives from a probing motion, and when it is reported that this is assumed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A part that ends at Z0, asked only for ways straight down or up.
+/// A part whose top is at Z0, probed only straight down or up.
 class FlatPart : public ProbeTarget {
 public:
     Answer probe(const Program&, const Motion& motion, Seek seek, const WorkContext&) override {
@@ -55,7 +55,7 @@ TEST(Probe, StopsWhereItTouchesAndCutsNothing) {
     EXPECT_TRUE(program->asksForStock());
     EXPECT_THAT(reported(*program), ElementsAre("2 probe-contact"));
     EXPECT_THAT(program->diagnostics()[0].arguments, ElementsAre("0.000", "0.000", "0.000"));
-    EXPECT_FALSE(program->unverified()); // nothing went on from there
+    EXPECT_FALSE(program->unverified()); // the program does not continue from there
 }
 
 TEST(Probe, LeavesItsResultInTheUnitOfTheProgram) {

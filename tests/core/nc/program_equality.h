@@ -7,7 +7,7 @@
 
 namespace proveout::test {
 
-/// The first thing in which two programs differ, bit for bit, as a sentence; empty where they are the same.
+/// The first difference between two programs, bit for bit, as a sentence; empty if they are equal.
 [[nodiscard]] std::string difference(const Program& a, const Program& b);
 
 } // namespace proveout::test

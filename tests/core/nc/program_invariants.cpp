@@ -19,7 +19,8 @@ bool isLine(const NcText& text, std::uint32_t line) {
 }
 
 std::string brokenByDiagnostics(const NcText& text, const InterpretOptions& options, const Program& program) {
-    // As many errors as others; but the places for the program as a whole are there once.
+    // The limit applies to errors and to other messages separately, but the places that are reserved for
+    // messages about the whole program exist only once.
     if (program.diagnostics().size() > 2 * options.maxDiagnostics - 3)
         return "more messages than asked for";
     bool unverified = false;
@@ -43,11 +44,11 @@ std::string brokenByDiagnostics(const NcText& text, const InterpretOptions& opti
 
 std::string brokenByArc(const Motion& motion) {
     const double radius = arcRadius(motion);
-    if (!(radius > 0)) // R may order one of a thousandth as well
+    if (!(radius > 0)) // R may also specify a thousandth of a millimetre
         return "an arc has no radius";
     if (motion.sweep == 0)
         return "an arc leads nowhere";
-    // The sweep leads to the end: what pointAt() tends to must be what it gives there.
+    // The sweep ends at the end point: the limit of pointAt() must be its value there.
     const double allowed = 1e-6 + radius * 1e-9 + pathLength(motion) * 2e-12;
     return glm::length(pointAt(motion, 1 - 1e-12) - motion.end) < allowed
                ? ""
@@ -72,7 +73,7 @@ std::string brokenByMotion(const Motion& motion) {
     return motion.kind == MotionKind::arc ? brokenByArc(motion) : "";
 }
 
-/// What is known of a start is where the motion before it ended.
+/// The known start of a motion must be the end of the previous one.
 bool follows(const Motion& before, const Motion& motion) {
     for (int axis = 0; axis < 3; ++axis) {
         const bool known = ((before.endKnown & motion.startKnown) >> axis & 1) != 0;
@@ -85,7 +86,7 @@ bool follows(const Motion& before, const Motion& motion) {
 std::string brokenByMotions(const NcText& text, const Program& program) {
     auto event = program.events().begin();
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
-        // Another tool length moves the tip, and behind an error a motion may be missing.
+        // Another tool length moves the tip, and after an error a motion may be missing.
         bool moved = program.motion(i).unverified;
         for (; event != program.events().end() && event->beforeMotion <= i; ++event)
             moved = moved || !std::holds_alternative<Dwell>(event->data);

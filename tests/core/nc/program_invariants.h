@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds for the program of any text whatever.
+// What must hold for the program of any text.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace proveout::test {
 
-/// The first promise that `program`, interpreted from `text` with `options`, does not keep, as a sentence;
-/// empty where it keeps all.
+/// The first guarantee that `program`, interpreted from `text` with `options`, violates, as a sentence; empty
+/// if there is none.
 [[nodiscard]] std::string brokenPromise(const NcText& text, const InterpretOptions& options,
                                         const Program& program);
 

@@ -55,7 +55,7 @@ void expectSame(const Motion& a, const Motion& b) {
     }
 }
 
-/// The runs of `program`, "TOOL:FIRST-LAST" each, by looking at every motion.
+/// The runs of `program`, each as "TOOL:FIRST-LAST", found by visiting every motion.
 std::string runsByHand(const Program& program) {
     std::string out;
     for (std::size_t first = 0, i = 0; i < program.motionCount(); ++i) {
@@ -93,7 +93,7 @@ TEST(Program, GivesBackTheMotionsItWasGiven) {
         Vec3 at(0);
         for (int i = 0; i < 200; ++i) {
             if (random() % 10 == 0)
-                at += Vec3(1, 0, 0); // a jump
+                at += Vec3(1, 0, 0); // a jump in the path
             motions.push_back(randomMotion(random, at));
             at = motions.back().end;
             program.append(motions.back());

@@ -7,8 +7,8 @@
 
 namespace proveout::test {
 
-/// A random arc motion: any plane, up to three turns, with or without a rise; a radius that grows by up to
-/// `growth` of itself.
+/// A random arc motion in any plane, up to three turns, with or without a rise, whose radius grows by up to
+/// the factor `growth`.
 Motion randomArc(std::mt19937& random, double growth);
 
 double uniform(std::mt19937& random, double from, double to);

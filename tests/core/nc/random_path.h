@@ -13,20 +13,20 @@ struct RandomPathShape {
     int paths = 8;
     double shortest = 2; ///< mm
     double longest = 40;
-    double sharpestTurn = 3.1; ///< between two paths, rad
+    double sharpestTurn = 3.1; ///< angle between two paths, rad
     double flattestTurn = 0;
     double smallestRadius = 2;
     double longestSweep = 4.5; ///< rad
     bool lines = false;        ///< no arcs
 };
 
-/// Lines and arcs that follow each other at corners of any kind, from the origin on. The first is a line.
+/// Consecutive lines and arcs with corners of any kind, from the origin. The first is a line.
 std::vector<PlanePath> randomPath(std::mt19937& random, const RandomPathShape& shape);
 
-/// The words of a motion along a path in the plane of X and Y, with nine decimals.
+/// The words of a motion along a path in the XY plane, with nine decimals.
 std::string wordsOf(const PlanePath& path);
 
-/// The end and the centre of a path as its words tell them.
+/// The path with end and centre rounded as in its words.
 PlanePath rounded(PlanePath path);
 
 } // namespace proveout::test

@@ -16,17 +16,17 @@ using Words = std::vector<std::string>;
 
 constexpr const char* kAxisLetters = "XYZ";
 constexpr const char* kCentreLetters = "IJK";
-constexpr int kDeepest = 3; ///< O-words within O-words
+constexpr int kDeepest = 3; ///< levels of nested O-words
 
-/// What a program has ordered so far, as far as its writer keeps it in mind.
+/// The modal state of the program that its generator keeps track of.
 struct Mind {
     int plane = 17;
     int spindle = 0;
     bool compensated = false;
     bool inverseTime = false;
-    bool straight = false; ///< G0 or G1 is in force
-    int saved = 0;         ///< by M70
-    int depth = 0;         ///< of O-words
+    bool straight = false; ///< G0 or G1 is active
+    int saved = 0;         ///< number of states saved by M70
+    int depth = 0;         ///< nesting level of O-words
     int label = 100;
 };
 
@@ -100,7 +100,7 @@ private:
         m_mind.plane = 17;
     }
 
-    /// Of a program behind the end of this one, in the words of other controls.
+    /// Calls a program after the end of this one, in the syntax of other controls.
     void writeNumberedCall() {
         if (m_mind.depth >= kDeepest)
             return writeStraight();
@@ -109,7 +109,7 @@ private:
     }
 
     void writeNumberedProgram(int label) {
-        m_mind.depth = kDeepest; // no subprogram in it
+        m_mind.depth = kDeepest; // prevents further subprograms in it
         m_lines.push_back(fmt::format("O{}", label));
         for (int blocks = between(1, 3); blocks > 0; --blocks)
             writeBlock();
@@ -121,7 +121,7 @@ private:
         addBlock({fmt::format("M{}", m_mind.spindle), fmt::format("S{}", between(100, 4000))});
     }
 
-    /// Blocks of all kinds; motions more often than the rest.
+    /// Blocks of all kinds, with motions more often than others.
     void writeBlock() {
         using Kind = void (Writer::*)();
         static const std::vector<std::pair<int, Kind>> kKinds{
@@ -189,7 +189,7 @@ private:
         }
     }
 
-    /// An arc whose words fit, by counting from where the tool is.
+    /// An arc with consistent words, computed from the current position.
     void writeArc() {
         const PlaneOfArc plane = planeOfArc();
         const double radius = between(1, 12);
@@ -533,7 +533,7 @@ private:
         addBlock(words);
     }
 
-    /// The listing does not say where a spline ends: a straight motion must follow.
+    /// The listing does not contain the end of a spline, so a straight motion must follow.
     void writeSpline() {
         writeSplineItself();
         m_lines.push_back("G1 Z1");
@@ -592,7 +592,7 @@ private:
         addBlock({"G94", fmt::format("F{}", between(50, 900))});
     }
 
-    /// Words that need not go together.
+    /// Random words, which need not be consistent.
     void writeAnything() {
         Words words;
         for (int count = between(1, 4); count > 0; --count) {
@@ -617,7 +617,7 @@ private:
     std::mt19937& m_random;
     Mind m_mind;
     std::vector<std::string> m_lines;
-    std::vector<int> m_numbered; ///< programs that are called by M98
+    std::vector<int> m_numbered; ///< programs called by M98
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs of LinuxCNC's language, by chance: every code, every order of words.
+// Random programs in LinuxCNC's language, with every code and with words in any sequence.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace proveout::test {
 /// The tools that the programs use.
 [[nodiscard]] std::map<int, ToolOffset> toolsOfRandomPrograms();
 
-/// The lines of a program. Most can be run; some contradict themselves.
+/// The lines of a program. Most programs can be run; some contradict themselves.
 [[nodiscard]] std::vector<std::string> randomProgram(std::mt19937& random);
 
 } // namespace proveout::test

@@ -23,7 +23,7 @@ std::vector<std::string> axisWords(RandomWords& words, double far) {
     return result;
 }
 
-/// What follows a spline must be a straight motion, because the listing does not show where the spline ends.
+/// A straight motion must follow a spline, because the listing does not contain the end of the spline.
 Lines nurbs(RandomWords& words) {
     constexpr double kFar = 20;
     const auto point = [&](Lines block) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Codes of LinuxCNC's language that programs seldom have, by chance.
+// Random blocks with rarely used codes of LinuxCNC's language.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace proveout::test {
 
-/// Lines with NURBS, probing, lathe cycles, threads, diameter mode, the planes of other axes, or inputs.
+/// Lines with NURBS, probing, lathe cycles, threads, diameter mode, planes of other axes, or inputs.
 [[nodiscard]] std::vector<std::string> randomRareBlocks(RandomWords& words);
 
 } // namespace proveout::test

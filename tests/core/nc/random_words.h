@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers and expressions of LinuxCNC's language, by chance.
+// Random numbers and expressions of LinuxCNC's language.
 #pragma once
 
 #include <initializer_list>
@@ -9,13 +9,13 @@
 
 namespace proveout::test {
 
-/// Draws parts of a program. The same seed draws the same parts.
+/// Generates random parts of a program. Equal seeds give equal parts.
 class RandomWords {
 public:
     explicit RandomWords(std::mt19937& random) : m_random(random) {}
 
     [[nodiscard]] int between(int least, int most);
-    /// True once in `n` times.
+    /// True with a probability of 1 / `n`.
     [[nodiscard]] bool once(int n) { return between(1, n) == 1; }
     template<class T>
     [[nodiscard]] const T& oneOf(const std::vector<T>& all) {
@@ -25,17 +25,17 @@ public:
         return all.begin()[between(0, static_cast<int>(all.size()) - 1)];
     }
 
-    /// A plain number within the limits, in any way in which one can be written.
+    /// A plain number within the limits, in any valid notation.
     [[nodiscard]] std::string number(double least, double most);
-    /// A number, a parameter or an expression, of a size that suits a coordinate.
+    /// A number, a parameter or an expression, with a value suitable for a coordinate.
     [[nodiscard]] std::string length();
     /// "[…]", of any size.
     [[nodiscard]] std::string expression(int depth = 2);
-    /// "#…" of a parameter that can be read.
+    /// "#…" for a parameter that can be read.
     [[nodiscard]] std::string parameter();
-    /// "#…" of a parameter that a program may set.
+    /// "#…" for a parameter that a program may set.
     [[nodiscard]] std::string target();
-    /// The words in any order, joined in any way.
+    /// The words in random sequence, joined in any valid way.
     [[nodiscard]] std::string block(std::vector<std::string> words);
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of programs that the control, the operator or the disk brings about, by their numbers in the list of
-// promises. What is asserted is work done: lines, motions, messages. Time only where something hung.
+// Program faults caused by the control, the operator or the disk, by their numbers in the list of guarantees.
+// The tests assert the work done: lines, motions, messages. They assert times only where a program used to
+// hang.
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -30,7 +31,7 @@ using testing::SizeIs;
 
 constexpr std::size_t kMostLines = 1'000'000;
 constexpr std::size_t kMostMotions = 200'000;
-constexpr double kHangs = 60; ///< seconds that none of these takes on any machine
+constexpr double kHangs = 60; ///< seconds; much longer than any of these takes on any machine
 
 InterpretOptions optionsFor(DialectId dialect) {
     InterpretOptions options;
@@ -46,7 +47,7 @@ bool finite(const Vec3& point) {
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-/// What holds whatever the fault.
+/// Checks what must hold whatever the fault in the program.
 std::shared_ptr<const Program> soundly(const std::string& text, const InterpretOptions& options,
                                        const WorkContext& context = {}) {
     const auto begin = std::chrono::steady_clock::now();
@@ -67,7 +68,7 @@ std::shared_ptr<const Program> readAs(const std::string& text, DialectId dialect
     return soundly(text, optionsFor(dialect));
 }
 
-/// Messages as "line:column id", in order.
+/// Messages as "line:column id", in sequence.
 std::vector<std::string> reported(const Diagnostics& diagnostics) {
     std::vector<std::string> messages;
     for (const Diagnostic& d : diagnostics)
@@ -92,7 +93,7 @@ std::string sentence(const std::string& text, std::string_view id, DialectId dia
     return sentence(*readAs(text, dialect), id);
 }
 
-/// What loading a file with these bytes tells; empty where it is read.
+/// The messages from loading a file with these bytes; empty if it is read.
 std::vector<std::string> reportedByLoading(const std::string& bytes) {
     const TemporaryFolder folder;
     folder.put("p.nc", bytes);
@@ -187,7 +188,7 @@ TEST(Reliability, Fault09NumbersOutOfRange) {
     EXPECT_THAT(reported("G0 X1" + std::string(308, '0') + "\nM2\n"), Contains("1:4 number-out-of-range"));
     for (const std::string word : {"Xnan", "Xinf", "X-inf"})
         EXPECT_EQ(readAs("G0 " + word + "\nM2\n")->motionCount(), 0U) << word;
-    // An exponent is the word E, which nothing uses.
+    // An exponent is read as the word E, which is not used.
     const auto program = readAs("G0 X1e5\nM2\n");
     EXPECT_EQ(program->motionCount(), 0U);
     EXPECT_TRUE(program->unverified());
@@ -404,7 +405,7 @@ TEST(Reliability, Fault31FeedsThatAreNone) {
         const auto program = readAs(line + "\nM2\n");
         EXPECT_TRUE(program->unverified()) << line;
         for (std::size_t i = 0; i < program->motionCount(); ++i)
-            EXPECT_EQ(program->motion(i).feedMmPerMin, 0) << line; // no default
+            EXPECT_EQ(program->motion(i).feedMmPerMin, 0) << line; // no default feed rate
     }
     EXPECT_THAT(reported("G1 X1 F-5\nM2\n"), Contains("1:7 number-negative"));
     EXPECT_THAT(reported("G95 F0.1 G1 X1\nM2\n"), Contains(HasSubstr("feed-without-spindle")));
@@ -449,7 +450,7 @@ TEST(Reliability, Fault35ManyLines) {
     for (std::size_t i = 1; i < kLines; ++i)
         text += fmt::format("G1 X{} Y{}\n", i % 977, i % 13);
     EXPECT_EQ(readAs(text + "M2\n")->motionCount(), kLines);
-    // A stop while it is read is obeyed at the next look, some thousand lines later.
+    // A stop request during interpretation takes effect at the next check, some thousand lines later.
     std::stop_source stop;
     WorkContext context;
     context.stop = stop.get_token();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr Repetition::Limits kFew{10, 5};
 
-/// After how many jumps along `heads` a round is found, where they come again from `again` on.
+/// The number of jumps along `heads` until a repetition is detected, if they repeat from index `again` on.
 std::optional<std::size_t> jumpsUntilClosed(const std::vector<Repetition::Head>& heads, std::size_t again) {
     Repetition repetition;
     const Program program;
@@ -45,7 +45,7 @@ TEST(Repetition, FindsARoundOfAnyNumberOfJumps) {
         }
         const auto jumps = jumpsUntilClosed(heads, again);
         ASSERT_TRUE(jumps);
-        EXPECT_GT(*jumps, heads.size()); // no head comes twice before
+        EXPECT_GT(*jumps, heads.size()); // no head occurs twice before
         EXPECT_LE(*jumps, 4 * heads.size() + 4);
     }
 }
@@ -55,10 +55,10 @@ TEST(Repetition, AnythingThatChangesOpensARound) {
     const Program program;
     const Repetition::Head head{0, 7, 1, 3};
     EXPECT_FALSE(repetition.closes(head, program));
-    EXPECT_FALSE(repetition.closes({1, 7, 1, 3}, program)); // another text
+    EXPECT_FALSE(repetition.closes({1, 7, 1, 3}, program)); // the text differs
     repetition.noteUse();
     EXPECT_FALSE(repetition.closes(head, program));
-    repetition.leftTo(0); // the call is left
+    repetition.leftTo(0); // leaves the call
     EXPECT_FALSE(repetition.closes(head, program));
     repetition.leftTo(1);
     EXPECT_TRUE(repetition.closes(head, program));
@@ -102,14 +102,14 @@ TEST(Repetition, CountsWhatRunsAgain) {
 TEST(Repetition, ParametersCountWhatIsAnotherValue) {
     Parameters parameters(MacroLanguage::macroB);
     const std::uint64_t before = parameters.changes();
-    parameters.setNumbered(100, kNull); // as it was
+    parameters.setNumbered(100, kNull); // the previous value
     parameters.setNumbered(1, kNull);
     EXPECT_EQ(parameters.changes(), before);
     parameters.setNumbered(100, 0);
     parameters.setNumbered(1, 0);
     EXPECT_EQ(parameters.changes(), before + 2);
     parameters.enter(parameters.noArguments());
-    parameters.setNumbered(1, 5); // of the call
+    parameters.setNumbered(1, 5); // a parameter of the call
     parameters.leave();
     EXPECT_EQ(parameters.changes(), before + 2);
     EXPECT_TRUE(parameters.setNamed("_a", 1));

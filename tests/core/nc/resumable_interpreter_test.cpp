@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run that is taken up again says what a run from the beginning says.
+// A resumed run gives the same result as a run from the beginning.
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
@@ -161,14 +161,14 @@ TEST(ResumableInterpreter, SaysWhatAFreshRunSays) {
     for (unsigned seed = 1; seed <= 250; ++seed) {
         checkEdits(DialectId::linuxcnc, kLinuxCnc, seed, resumed);
         checkEdits(DialectId::fanuc, kFanuc, seed, resumed);
-        // The others know some of those words.
+        // The other dialects know some of these words.
         checkEdits(DialectId::haas, kFanuc, seed, resumed);
         checkEdits(DialectId::grbl, kLinuxCnc, seed, resumed);
         checkEdits(DialectId::mach, kLinuxCnc, seed, resumed);
         if (HasFatalFailure())
             return;
     }
-    EXPECT_GT(resumed, 400U); // or nothing was tried
+    EXPECT_GT(resumed, 400U); // otherwise nothing was tested
 }
 
 TEST(ResumableInterpreter, ContinuesShortBeforeTheChange) {
@@ -181,7 +181,7 @@ TEST(ResumableInterpreter, ContinuesShortBeforeTheChange) {
     static_cast<void>(interpreter.interpret(edited, {}));
     EXPECT_GT(interpreter.resumedAt(), 47'000U);
     EXPECT_LT(interpreter.resumedAt(), 50'000U);
-    // At the beginning there is nothing to go on from.
+    // An edit at the beginning leaves nothing to resume from.
     static_cast<void>(interpreter.interpret(edited.replaced(0, 0, "G1 X1\n"), {}));
     EXPECT_EQ(interpreter.resumedAt(), 0U);
 }

@@ -15,8 +15,8 @@ using nlohmann::json;
 
 constexpr double kInch = 25.4;
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kNoLimit = 1e29;   ///< of the spindle under G96 without D
-constexpr double kSamePoint = 5e-9; ///< of the programme's unit: what the listing rounds away
+constexpr double kNoLimit = 1e29;   ///< for the spindle under G96 without D
+constexpr double kSamePoint = 5e-9; ///< in the unit of the program; below the rounding of the listing
 
 json listed(const Vec3& point) {
     return {point.x, point.y, point.z};
@@ -61,7 +61,7 @@ double sweepOf(const Vec2& from, const Vec2& to, int turns, bool full) {
 
 } // namespace
 
-/// "  12 N5     NAME(1.0, 2.0)": a number of its own, the block number or dots, the call.
+/// "  12 N5     NAME(1.0, 2.0)": a sequence number, the block number or dots, the call.
 bool Rs274Listing::parse(std::string_view text, Call& call) {
     text = withoutBlanks(text);
     const std::size_t number = text.find(" N");
@@ -158,7 +158,7 @@ bool Rs274Listing::readMotion(const Call& call) {
     } else if (call.name == "RIGID_TAP") {
         const Vec3 start = m_program;
         addMotion("tap", call, pointOf(call, 0));
-        m_program = start; // a rigid tap returns
+        m_program = start; // a rigid tap returns to its start
         m_machine = m_frame.toMachine(start);
     } else if (call.name == "NURBS_FEED") {
         m_records.push_back({{"k", "nurbs"}, {"l", call.line}});
@@ -238,7 +238,7 @@ void Rs274Listing::readEvent(const Call& call) {
     } else if (call.name == "CHANGE_TOOL") {
         m_tool = m_selected;
         m_toolChanged = true;
-        if (m_lengthUnused) // its position is read back
+        if (m_lengthUnused) // the position is read back
             m_lost =
                 "the stand-alone machine changes tools and forgets the length that no motion has used yet";
         m_records.push_back({{"k", "tool"}, {"l", call.line}, {"t", m_tool}});

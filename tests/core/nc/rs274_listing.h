@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The listing of LinuxCNC's stand-alone interpreter as records that can be compared.
+// Converts the listing of LinuxCNC's stand-alone interpreter to records that can be compared.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@
 
 namespace proveout::test {
 
-/// The stand-alone interpreter takes every probe to stop this much before its programmed end, mm.
+/// The stand-alone interpreter assumes that every probe triggers this far before its programmed end, mm.
 constexpr double kProbeBackup = 0.254;
 
-/// Reads the listing line by line. It has program coordinates in the unit of the program; records have
-/// machine coordinates of the tip without tool length, in mm. A value.
+/// Reads the listing line by line. The listing has program coordinates in the program's unit; the records
+/// have machine coordinates of the tip without tool length, in mm. Value type.
 class Rs274Listing {
 public:
     void readLine(std::string_view line);
-    /// Motions and the events that can be compared, in order.
+    /// Motions and the events that can be compared, in sequence.
     [[nodiscard]] std::vector<nlohmann::json> releaseRecords() { return std::move(m_records); }
-    /// Whether the radius of a cutter was compensated anywhere.
+    /// Whether cutter compensation was used anywhere.
     [[nodiscard]] bool compensated() const { return m_compensated; }
-    /// Why the stand-alone machine is not where LinuxCNC's would be, after which nothing is read; empty: it
-    /// is.
+    /// Why the stand-alone machine is at another position than a real LinuxCNC machine, after which nothing
+    /// is read; empty: it is not.
     [[nodiscard]] const std::string& lost() const { return m_lost; }
-    /// How many records are before the first M61.
+    /// The number of records before the first M61.
     [[nodiscard]] std::optional<std::size_t> beforeRename() const { return m_beforeRename; }
 
 private:
@@ -65,9 +65,9 @@ private:
     Vec3 m_machine{0};
     double m_feed = 0;
     bool m_perRevolution = false;
-    double m_pitch = 0; ///< mm, of a motion in step with the spindle; 0: it is not
+    double m_pitch = 0; ///< mm, for a spindle-synchronised motion; 0: not synchronised
     double m_speed = 0;
-    double m_most = 0; ///< with G96 the spindle turns as S and X say, up to D: as fast is what we take it for
+    double m_most = 0; ///< with G96 the speed depends on S and X and is limited by D: the limit is used
     int m_direction = 0;
     int m_selected = 0;
     int m_tool = 0;

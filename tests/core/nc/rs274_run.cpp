@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr double kInch = 25.4;
 constexpr std::size_t kMostCalls = 100'000;
-constexpr int kCpuSeconds = 2; ///< of its own, so that a busy machine does not decide
+constexpr int kCpuSeconds = 2; ///< CPU time, so that load on the machine does not matter
 constexpr std::size_t kLongestLine = 240;
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -43,7 +43,7 @@ std::string readAll(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The listing tells the block numbers, not the lines: every block gets the number of its line.
+/// The listing contains block numbers and not lines, so every block gets the number of its line.
 std::string numbered(const std::string& line, std::size_t number) {
     const std::size_t begin = line.find_first_not_of(" \t");
     if (begin == std::string::npos || line.size() > kLongestLine ||
@@ -66,7 +66,7 @@ std::string numbered(const std::string& line, std::size_t number) {
     return fmt::format("{}N{} {}", deleted ? "/" : "", number, rest);
 }
 
-/// Whether anything depends on which tool is in the spindle.
+/// Whether anything depends on the tool in the spindle.
 bool asksForTool(const std::string& program) {
     static const std::regex kAsks("#5400|_current_tool|g43(?![0-9.])(?!.*h)|g4[12](?![0-9.])(?!.*d)",
                                   std::regex::icase);
@@ -91,7 +91,7 @@ int blockNumberOf(const std::string& line) {
 Rs274::Rs274(const std::map<int, ToolOffset>& tools)
     : m_home(fs::temp_directory_path() / fmt::format("proveout-rs274-{}", getpid())) {
     fs::create_directories(m_home);
-    std::ofstream table(m_home / "tools.tbl"); // its own machine counts in inches
+    std::ofstream table(m_home / "tools.tbl"); // its machine configuration is in inches
     int pocket = 0;
     for (const auto& [number, tool] : tools) {
         table << fmt::format("T{} P{} X{:.17g} Y{:.17g} Z{:.17g} D{:.17g}\n", number, ++pocket,
@@ -155,7 +155,7 @@ OracleAnswer Rs274::run(const std::string& program) const {
     return answer;
 }
 
-/// The sentence, and behind it the line that it is about.
+/// Reads the messages, each followed by the line that it refers to.
 void Rs274::readErrors(OracleAnswer& answer, const std::string& program) const {
     std::vector<std::string> lines = linesOf(readAll(m_home / "errors"));
     std::erase_if(lines, [](const std::string& line) {

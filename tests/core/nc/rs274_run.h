@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs LinuxCNC's stand-alone interpreter, the program `rs274` of Debian's linuxcnc-uspace.
+// Runs LinuxCNC's stand-alone interpreter, the program `rs274` of the Debian package linuxcnc-uspace.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace proveout::test {
 
-/// A place to run it in; it writes into its home.
+/// A working directory for running it; it writes into its home.
 class Rs274 {
 public:
     explicit Rs274(const std::map<int, ToolOffset>& tools);
@@ -21,8 +21,8 @@ public:
 
     [[nodiscard]] static bool isInstalled();
 
-    /// What it makes of a program. An endless one is stopped after some seconds or calls; its class is
-    /// "timeout" then.
+    /// The result for a program. An endless program is stopped after some seconds or calls; its class is then
+    /// "timeout".
     [[nodiscard]] OracleAnswer run(const std::string& program) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a block that cannot be executed leaves in force: one mistake does not change the motions after it.
+// What stays active after a block that cannot be executed: one mistake must not change the motions after it.
 #include "core/nc/run/skipped_block.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::shared_ptr<const Program> read(const std::string& text, DialectId dialect =
     return interpret(NcText(text), options);
 }
 
-/// Of every motion: R, F or A, and its feed.
+/// The kind of every motion (R, F or A) with its feed rate.
 std::string kindsOf(const Program& program) {
     std::string kinds;
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
@@ -65,7 +65,7 @@ TEST(SkippedBlock, LeavesNoMotionInForceWhereItsCodeCannotBeRead) {
     }
 }
 
-/// The next hole would be drilled to a depth that the program does not say.
+/// The depth of the next hole would be missing from the program.
 TEST(SkippedBlock, EndsACycleWhoseWordsItHas) {
     const auto program =
         read(std::string(kBegin) + "F100 G81 X0 Z-1 R2\nX10 Z-2..0\nX20\nG80\nG0 X0 Y0 Z5\nM2\n");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flattened splines against the definition by basis functions (Cox and de Boor), which spline.cpp does not
-// use.
+// Compares flattened splines with the definition by basis functions (Cox and de Boor), which spline.cpp does
+// not use.
 #include "core/nc/geometry/spline.h"
 
 #include <algorithm>
@@ -82,9 +82,8 @@ std::vector<Vec2> pathOf(const Spline& spline, double chordError) {
     return path;
 }
 
-/// The parameter behind `from` at which the spline passes a point: pieces are halved, so it is one of the
-/// next places by a half, a quarter … of the distance between two knots. Nothing where it passes none of
-/// them.
+/// The parameter after `from` at which the spline passes a point: pieces are halved, so it is at a half, a
+/// quarter … of the distance between two knots. Empty if the spline passes the point at none of these.
 std::optional<double> parameterOf(const Vec2& point, const Spline& spline, const std::vector<double>& knots,
                                   double from) {
     for (double step = 1; step > 1e-9; step /= 2) {
@@ -100,7 +99,7 @@ std::optional<double> parameterOf(const Vec2& point, const Spline& spline, const
 TEST(Spline, LiesWithinTheChordErrorOfItsMotions) {
     const unsigned seed = randomSeed();
     std::mt19937 random(seed);
-    constexpr double kError = 0.05; // coarse: the pieces are few enough to look at all of them
+    constexpr double kError = 0.05; // coarse, so that all of the few pieces can be checked
     for (int round = 0; round < 100; ++round) {
         const Spline spline = randomSpline(random);
         const std::vector<double> knots = knotsOf(spline);
@@ -121,7 +120,7 @@ TEST(Spline, LiesWithinTheChordErrorOfItsMotions) {
 }
 
 TEST(Spline, IsACircleWithTheWeightsOfOne) {
-    // A quarter of a circle of radius 10 as a quadratic rational Bézier curve.
+    // A quarter circle of radius 10 as a quadratic rational Bézier curve.
     const Spline quarter{{{{10, 0}}, {{10, 10}, std::sqrt(0.5)}, {{0, 10}}}, 3};
     const std::vector<Vec2> path = pathOf(quarter, kChordError);
     for (std::size_t i = 0; i < path.size(); ++i) {

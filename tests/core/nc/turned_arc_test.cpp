@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Straight pieces of arcs, against the arc at many places in between.
+// Compares the straight pieces of arcs with the arc at many points in between.
 #include "core/nc/motions/turned_arc.h"
 
 #include <algorithm>

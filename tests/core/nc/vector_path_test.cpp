@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutter compensation by vectors, against distances found point by point.
+// Compares cutter compensation by vectors with distances found point by point.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -18,11 +18,11 @@ namespace {
 
 constexpr double kRadius = 3;
 constexpr double kExact = 1e-6;
-/// Corner moves up to this are left out, so that a motion may begin that much beside its place.
+/// Corner moves up to this length are omitted, so a motion may start that far from its exact position.
 constexpr double kSmallMove = 1e-3;
-constexpr double kFewMotions = 0.01; ///< of all: those behind such a corner
+constexpr double kFewMotions = 0.01; ///< share of the motions that follow such a corner
 constexpr int kPointsOfMotion = 40;
-constexpr std::size_t kFirstLine = 2; ///< of the paths in the text; the first is the way into compensation
+constexpr std::size_t kFirstLine = 2; ///< first line of the paths in the text, which is the lead-in
 
 std::shared_ptr<const Program> interpreted(const std::string& text) {
     InterpretOptions options;
@@ -42,7 +42,7 @@ std::string programAlong(const std::vector<PlanePath>& paths, bool left) {
     return text + "G40 G1 X-500. Y-500.\nM30\n";
 }
 
-/// Distance from the line or the circle of which a path is a part.
+/// Distance from the line or circle that contains a path.
 double distanceToCarrier(const PlanePath& path, const Vec2& point) {
     if (path.arc())
         return std::abs(glm::distance(point, path.centre) - glm::distance(path.start, path.centre));
@@ -51,7 +51,7 @@ double distanceToCarrier(const PlanePath& path, const Vec2& point) {
     return std::abs(along.x * way.y - along.y * way.x);
 }
 
-/// Distance from the path itself, found by bisection of many pieces rather than by a formula of its kind.
+/// Distance from the path itself, by bisection of many pieces and not by a formula for its kind.
 double distanceTo(const PlanePath& path, const Vec2& point) {
     constexpr int kPieces = 64;
     const auto at = [&](double t) {
@@ -79,7 +79,8 @@ double distanceTo(const PlanePath& path, const Vec2& point) {
     return glm::distance(at((low + high) / 2), point);
 }
 
-/// How far motions are from where they ought to be: all within what is left out of corners, nearly all exact.
+/// Deviations of motions from their exact positions: all within the length of omitted corner moves, nearly
+/// all exact.
 struct Deviations {
     int motions = 0;
     int inexact = 0;
@@ -90,7 +91,7 @@ struct Deviations {
     }
 };
 
-/// The motions of a line of text: the corner before its path, and last the path beside it.
+/// Checks the motions of a line of text: the corner before its path, and then the offset path.
 void expectBeside(const Program& program, const std::vector<PlanePath>& paths, Deviations& deviations) {
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
         const Motion motion = program.motion(i);
@@ -102,11 +103,11 @@ void expectBeside(const Program& program, const std::vector<PlanePath>& paths, D
         for (int k = 0; k <= kPointsOfMotion; ++k) {
             const Vec2 point(pointAt(motion, static_cast<double>(k) / kPointsOfMotion));
             double nearest = distanceTo(paths[own], point);
-            if (own > 1) // the way into compensation is not kept from
+            if (own > 1) // the lead-in need not keep the distance
                 nearest = std::min(nearest, distanceTo(paths[own - 1], point));
             if (own + 1 < paths.size())
                 nearest = std::min(nearest, distanceTo(paths[own + 1], point));
-            // A corner lies within the square about it.
+            // A corner is within its bounding square.
             deviation = std::max({deviation, kRadius - nearest, nearest - kRadius * std::numbers::sqrt2});
             if (!corner)
                 deviation = std::max(deviation, std::abs(distanceToCarrier(paths[own], point) - kRadius));
@@ -116,7 +117,7 @@ void expectBeside(const Program& program, const std::vector<PlanePath>& paths, D
     }
 }
 
-/// How many of the random contours of a shape could be compensated, each checked point by point.
+/// The number of random contours of a shape that could be compensated; each is checked point by point.
 int keptOf(std::mt19937& random, const RandomPathShape& shape, int count) {
     int kept = 0;
     Deviations deviations;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loaded into `rs274` before its own libraries: what it prints with four decimals then has nine. Nothing else
-// is changed.
+// Loaded into `rs274` before its own libraries: makes it print nine decimals instead of four, and changes
+// nothing else.
 #include <cstdarg>
 #include <cstdio>
 #include <string>

@@ -11,7 +11,7 @@
 namespace proveout {
 namespace {
 
-/// Rows of which every third or so cuts.
+/// Rows of which about every third cuts.
 PersistentArray<BlockStatistics> randomRows(std::mt19937& random, std::size_t count) {
     PersistentArray<BlockStatistics> rows;
     for (std::size_t block = 0; block < count; ++block) {
@@ -22,7 +22,7 @@ PersistentArray<BlockStatistics> randomRows(std::mt19937& random, std::size_t co
     return rows;
 }
 
-/// Block by block.
+/// Sums block by block.
 ActivitySums addedUp(const Program& program, const PersistentArray<BlockStatistics>& rows,
                      const MachineTimes* times, std::size_t first, std::size_t last) {
     ActivitySums sums;

@@ -11,7 +11,7 @@
 namespace proveout {
 namespace {
 
-constexpr GridLimits kLimits; // a million to four million points
+constexpr GridLimits kLimits; // one to four million points
 
 StockBox plate(double width, double depth) {
     return {Vec3(0), width, depth, 10};

@@ -13,7 +13,7 @@
 namespace proveout {
 namespace {
 
-/// The last block that lowered each point, by looking at the map after each block.
+/// The last block that lowered each point, found by comparing the z-map after each block.
 std::vector<std::uint32_t> marksStepByStep(Simulation& simulation) {
     const Grid grid = simulation.zmap().grid();
     const IndexRect all{0, 0, grid.nx, grid.ny};
@@ -68,11 +68,11 @@ TEST_F(BlockProvenance, NamesTheBlockThatMadeAPlace) {
             const auto block = blockThatMade(*m_program, *m_setup, m_program->blockCount(), place);
             const std::uint32_t mark = m_marks[static_cast<std::size_t>(j * grid.nx + i)];
             if (mark == Provenance::kUncut)
-                continue; // a cutter may have passed at the very top
+                continue; // the cutter may have touched only the top
             ++asked;
             ASSERT_TRUE(block) << i << "," << j;
             EXPECT_LE(*block, mark - 1);
-            // An earlier one only where it was lower by less than can be told apart.
+            // An earlier block is possible only if it was lower by less than the resolution.
             const auto until = blockProvenance(m_uncut, *m_program, *m_setup, *block + 1);
             ASSERT_TRUE(until);
             EXPECT_EQ(*block + 1 == mark || until->at(i, j) == *block + 1, true) << i << "," << j;
@@ -98,7 +98,7 @@ TEST_F(BlockProvenance, NamesTheBlockThatMadeAPointOfAMap) {
             } else if (height < -0.01F) {
                 ASSERT_TRUE(block) << i << "," << j;
                 ++cut;
-                // That block leaves the height that there is, to what two exact cuts may differ by.
+                // That block produces the current height, within the tolerance between two exact cuts.
                 EXPECT_LE(*block, mark - 1);
                 m_simulation->seek(*block + 1);
                 EXPECT_LE(m_simulation->zmap().height(i, j), height + 0.003F) << i << "," << j;
@@ -113,7 +113,7 @@ TEST_F(BlockProvenance, NamesTheBlockThatMadeAPointOfAMap) {
 
 TEST(BlockThatMade, NamesNoneOfThoseThatOnlyPassedAlongTheStock) {
     const auto setup = setupWithTool(1, "flat:d=4,l=20");
-    // Along the top; then 2 mm deep with the rim on the points at Y13 and Y17.
+    // First along the top; then 2 mm deep with the rim on the points at Y13 and Y17.
     const auto program =
         programOf("G21 G90 T1 M6\nG0 X-5 Y5 Z5\nG1 Z0 F500\nX45\nG0 Z5\nX-5 Y15\nG1 Z-2\nX45\n");
     const auto simulation = startedSimulation(program, setup, {});

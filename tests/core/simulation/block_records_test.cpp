@@ -36,8 +36,8 @@ Executed runOf(const std::string& text, std::shared_ptr<const proveout::Setup> s
     return {std::move(setup), program, simulation->frame()};
 }
 
-/// Blocks: 0 above, 1 down beside, 2 a slot of half the length, 3 back in air, 4 beside, 5 a step of 2 mm, 6
-/// up.
+/// Blocks: 0 above, 1 down next to the stock, 2 a slot of half the length, 3 back through air, 4 to the side,
+/// 5 a step of 2 mm, 6 up.
 const std::string kSteps = "G21 G90\nT1 M6\nG0 X-10 Y15 Z5\nG1 Z-3 F600\nX20\nX-10\nY21\nX50\nG0 Z5\n";
 
 TEST(BlockRecords, SumsAreTheChangeOfTheMap) {
@@ -65,19 +65,19 @@ TEST(BlockRecords, OfASlotAndAStepAreTheirDepthAndWidth) {
     EXPECT_FLOAT_EQ(run.row(2).maxDepth, 3);
     EXPECT_NEAR(run.row(2).radialEngagement, 8, 0.11);
     EXPECT_FLOAT_EQ(run.row(5).maxDepth, 3);
-    // Of the first half only a strip of 6 mm is left; behind it the slot is full.
+    // In the first half only a strip of 6 mm is left; after that the slot is full.
     EXPECT_NEAR(run.row(5).radialEngagement, 8, 0.11);
     const Executed step = runOf("G21 G90\nT1 M6\nG0 X-10 Y15 Z5\nG1 Z-3 F600\nX50\nY17.5\nX-10\n");
     EXPECT_NEAR(step.row(2).radialEngagement, 8, 0.11);
     EXPECT_NEAR(step.row(4).radialEngagement, 2.5, 0.11);
-    const double rate = 8.0 * 3 * 600; // mm³/min where the cutter is in the stock all the way
+    const double rate = 8.0 * 3 * 600; // mm³/min if the cutter is in the stock all the way
     const Executed within = runOf("G21 G90\nT1 M6\nG0 X10 Y15 Z5\nG1 Z-3 F200\nF600 X30\n");
     EXPECT_NEAR(removalRate(*within.program, 2, within.row(2)).value(), rate, rate * 0.02);
     EXPECT_FALSE(removalRate(*within.program, 0, within.row(0))); // a rapid
 }
 
-/// A slot of 8 × 3 mm at 600 mm/min, then a strip of 2.5 × 3 mm beside it; each in three blocks, of which the
-/// one in the middle is at feed all the way. Last a rapid, a way through air, and a block that goes nowhere.
+/// A slot of 8 × 3 mm at 600 mm/min, then a strip of 2.5 × 3 mm next to it; each in three blocks, of which
+/// the middle one is at full feed rate. Then a rapid, an air cut, and a block without motion.
 std::string slotAndStrip(const std::string& beforeSlot = "") {
     return "G21 G90\nT1 M6\nG0 X5 Y12 Z5\nG1 Z-3 F200\nX10 F600\n" + beforeSlot +
            "X30\nX35\nY14.5\nX30\nX10\nX5\nG0 Z5\nG1 X30\nX30\n";
@@ -89,7 +89,7 @@ TEST(BlockRecords, RatesOfASlotAndAStripAreTheirCrossSections) {
     const auto times = machineTimes(run.program, {});
     const auto expectSection = [&](std::size_t block, double width) {
         const double perLength = removalPerLength(*times, block, run.row(block));
-        EXPECT_NEAR(perLength, width * 3, 1.01 * kSpacing * 3) << block; // the width is that of whole cells
+        EXPECT_NEAR(perLength, width * 3, 1.01 * kSpacing * 3) << block; // accurate to a cell
         EXPECT_NEAR(machineRemovalRate(*times, block, run.row(block)), perLength * 600, 1e-6) << block;
     };
     expectSection(3, 8);
@@ -106,7 +106,7 @@ TEST(BlockRecords, DwellsAndToolChangesTakeNothingFromTheRate) {
     const double rate = machineRemovalRate(*machineTimes(plain.program, {}), 3, plain.row(3));
     for (const char* pause : {"G4 P30\n", "T2 M6\nT1 M6\n"}) {
         const Executed run = runOf(slotAndStrip(pause));
-        // Only starting and stopping is slower.
+        // Only acceleration and deceleration are slower.
         EXPECT_NEAR(machineRemovalRate(*machineTimes(run.program, {}), 3, run.row(3)), rate, rate * 0.02)
             << pause;
     }
@@ -123,7 +123,7 @@ TEST(BlockRecords, CuttingAirAndContacts) {
     const RunTotals totals = totalsOf(*run.program, run.frame.statistics, run.frame.block);
     EXPECT_DOUBLE_EQ(totals.cuttingLength, 30 + 60);
     EXPECT_DOUBLE_EQ(totals.airLength, 8 + 30 + 6);
-    EXPECT_DOUBLE_EQ(totals.rapidLength, 8); // the first one comes from nobody knows where
+    EXPECT_DOUBLE_EQ(totals.rapidLength, 8); // the start of the first one is unknown
     EXPECT_EQ(totals.cuttingBlocks, 2U);
     EXPECT_EQ(totals.airBlocks, 3U);
     EXPECT_EQ(totals.contacts, 2U);
@@ -150,14 +150,14 @@ TEST(BlockRecords, PlaceOfContactIsThatOfTheTip) {
     ASSERT_TRUE(place(2));
     EXPECT_NEAR(place(2)->x, -4, kTolerance);
     EXPECT_NEAR(place(2)->z, -3, 1e-9);
-    // It begins in touch with the walls of the slot that it has cut.
+    // It starts in contact with the walls of the slot that it has cut.
     ASSERT_TRUE(place(5));
-    EXPECT_NEAR(place(5)->x, -std::sqrt(16.0 - 4), 4); // somewhere at the edge of the step
+    EXPECT_NEAR(place(5)->x, -std::sqrt(16.0 - 4), 4); // somewhere on the edge of the step
     EXPECT_FALSE(place(6) && place(6)->z > 0);
 }
 
 TEST(BlockRecords, PlaceOfContactOnAnArcAndInAPlunge) {
-    // A half circle of 20 mm about X-20 Y15 comes to the stock at its far side.
+    // A half circle of 20 mm around X-20 Y15 reaches the stock at its far side.
     const Executed arc =
         runOf("G21 G90\nT1 M6\nG0 X-20 Y-2 Z5\nG1 Z-2 F500\nG3 X-20 Y32 I0 J17\nG0 Z5\nG0 X20 Y15\n"
               "G1 Z-4\n");
@@ -165,7 +165,7 @@ TEST(BlockRecords, PlaceOfContactOnAnArcAndInAPlunge) {
     ASSERT_TRUE(at);
     EXPECT_NEAR(at->x, -4, 0.01);
     EXPECT_NEAR(std::hypot(at->x + 20, at->y - 15), 17, 2 * kChordError);
-    EXPECT_LT(at->y, 15); // the first of both times
+    EXPECT_LT(at->y, 15); // the first of two contacts
     const auto plunge = contactPlace(arc.setup, *arc.program, 5);
     ASSERT_TRUE(plunge);
     EXPECT_NEAR(plunge->z, 0, StockContact::kTolerance);

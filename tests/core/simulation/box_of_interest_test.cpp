@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box of interest beside a simulation of the whole stock on the fine grid.
+// Compares a detail region with a simulation of the whole stock on the fine grid.
 #include "core/simulation/records/box_of_interest.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace proveout {
 namespace {
 
 constexpr double kPlenty = 4e9; // bytes
-constexpr double kFine = 0.07;  // mm; divides no side
+constexpr double kFine = 0.07;  // mm; no side is a multiple of it
 
 DecimationParameters undecimated() {
     DecimationParameters parameters;
@@ -28,7 +28,7 @@ DecimationParameters undecimated() {
     return parameters;
 }
 
-/// The same, but for the stock, which stands beside the origin as the one of smallSetup() does.
+/// The same except for the stock, which is offset from the origin like that of smallSetup().
 Setup setupOf(StockKind kind, std::shared_ptr<const StockBody> body) {
     Setup setup = *smallSetup();
     setup.shape.kind = kind;
@@ -37,7 +37,7 @@ Setup setupOf(StockKind kind, std::shared_ptr<const StockBody> body) {
     return setup;
 }
 
-/// A roof, no point of which lies on a grid.
+/// A roof that has no vertex on a grid point.
 std::shared_ptr<const StockBody> roof() {
     StockMesh mesh;
     mesh.vertices = {{0, 0, -10},   {40.3, 0, -10},   {40.3, 30.1, -10}, {0, 30.1, -10}, {0, 0, -6},
@@ -68,14 +68,14 @@ std::vector<Setup> setupsOfAllKinds(std::mt19937& random) {
         *smallSetup(), setupOf(StockKind::cylinder, extrudedStock({circleOutline(30)}, 10).value()),
         setupOf(StockKind::outline, extrudedStock({plate}, 10).value()), setupOf(StockKind::mesh, roof()),
         setupOf(StockKind::saved, savedSlopes(random))};
-    // Where no coordinate is a round number.
+    // A position without round coordinates.
     std::uniform_real_distribution<double> anywhere(-2, 2);
     for (Setup& setup : setups)
         setup.stock.corner += Vec3(anywhere(random), anywhere(random), 0);
     return setups;
 }
 
-/// As wide as the fine grid's spacing at least: a narrower box is refused.
+/// At least as wide as the fine grid's spacing, because a narrower box is refused.
 BoxOfInterest randomBox(const StockBox& stock, std::mt19937& random) {
     std::uniform_real_distribution<double> part(0, 1);
     const auto range = [&](double from, double length) {
@@ -100,7 +100,7 @@ GridPart partOf(const Setup& setup, const BoxOfInterest& box) {
     return fineGrid(setup, box, undecimated(), {}, kPlenty).value();
 }
 
-/// Points at which they differ.
+/// The number of points at which they differ.
 std::size_t differences(const ZMapSnapshot& whole, const ZMapSnapshot& part, const GridPart& place) {
     std::size_t count = 0;
     for (int j = 0; j < part.grid().ny; ++j)
@@ -129,7 +129,7 @@ TEST(BoxOfInterest, HasTheHeightsOfTheWholeStockOnTheFineGrid) {
             EXPECT_EQ(fine.zmap.grid().nx, place.nx);
             EXPECT_EQ(fine.zmap.stock().topZ(), setup.stock.topZ());
             EXPECT_EQ(fine.zmap.floor(), whole.floor());
-            // Its sides are not farther from those wanted than half a spacing, but for the last cell.
+            // Its sides are within half a spacing of the requested ones, except for the last cell.
             EXPECT_NEAR(fine.zmap.grid().x0, box.box.lo.x, place.hx);
             EXPECT_NEAR(fine.zmap.grid().x(place.nx - 1), box.box.hi.x, place.hx);
             EXPECT_NEAR(fine.zmap.grid().y0, box.box.lo.y, place.hy);
@@ -151,9 +151,9 @@ TEST(BoxOfInterest, IsTheSameOnOneThread) {
 
 TEST(BoxOfInterest, CutsOnlyWhatComesNear) {
     const auto program = programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX12\nG0 Z5\nX30 Y25\nG1 Z-1\nX35\n");
-    const auto setup = *smallSetup(); // a ball of 4 mm
+    const auto setup = *smallSetup(); // the tool is a ball of 4 mm
     const FineMap left = cutBox(*program, setup, 99, partOf(setup, {{{0, 0}, {13.9, 10}}, 0.1})).value();
-    EXPECT_EQ(left.motions, 3U); // in, along, and out again
+    EXPECT_EQ(left.motions, 3U); // in, along, and out
     EXPECT_EQ(left.block, program->blockCount());
     const FineMap between = cutBox(*program, setup, 99, partOf(setup, {{{15, 0}, {20, 10}}, 0.1})).value();
     EXPECT_EQ(between.motions, 0U);

@@ -12,13 +12,13 @@ namespace {
 
 constexpr const char* kText = "T1 M6\n"       // 1
                               "G0 X5 Y5 Z5\n" // 2  block 0
-                              "G1 Z-1 F300\n" // 3  block 1: first contact
+                              "G1 Z-1 F300\n" // block 1: first contact
                               "(a remark)\n"  // 4
                               "G1 X20\n"      // 5  block 2
                               "G1 Z-3 F500\n" // 6  block 3
                               "M0\n"          // 7
                               "G1 X30\n"      // 8  block 4
-                              "G0 X10\n"      // 9  block 5: a rapid in material, along the slot above
+                              "G0 X10\n"      // block 5: a rapid through material, along the slot above
                               "G0 Z5\n"       // 10 block 6
                               "T2 M6\n"       // 11
                               "G0 X20 Y20\n"  // 12 block 7
@@ -32,7 +32,7 @@ std::shared_ptr<const Setup> twoTools() {
     return setup;
 }
 
-/// Where a run stops: blocks executed, stop by stop.
+/// The number of executed blocks at each stop of a run.
 std::vector<std::size_t> stops(const Breakpoint& breakpoint, const std::string& text = kText,
                                const std::shared_ptr<const Setup>& setup = twoTools()) {
     const auto program = programOf(text);
@@ -116,7 +116,7 @@ TEST(Breakpoints, StopWhereAConditionBeginsToHold) {
     EXPECT_EQ(stopsAt("no condition"), Blocks{});
 }
 
-/// With the tool that is assumed to be in the spindle too.
+/// Works for a tool that is assumed to be in the spindle too.
 TEST(Breakpoints, KnowTheToolOfAProgramThatCallsNone) {
     Breakpoint breakpoint = of(BreakpointKind::condition);
     breakpoint.condition = "T == 1 && Z < 0";

@@ -18,7 +18,7 @@ ZMap wideMap() {
     return {stock, makeGrid(stock, 1).value()};
 }
 
-/// Changes one tile and takes the moment.
+/// Changes one tile and returns the checkpoint.
 Checkpoint next(ZMap& zmap, std::size_t block) {
     zmap.tileForWriting(block % kTiles).at(0, 0) = -static_cast<float>(block);
     return {block, zmap.snapshot(), 0, static_cast<double>(block)};
@@ -52,7 +52,7 @@ TEST(Checkpoints, StayWithinTheirBudgetAndFindTheNearest) {
         ASSERT_LE(checkpoints.before(block).block, block);
         widest = std::max(widest, block - checkpoints.before(block).block);
     }
-    EXPECT_LT(widest, 3 * 500 / checkpoints.size()); // thinned evenly, not cut off at one end
+    EXPECT_LT(widest, 3 * 500 / checkpoints.size()); // thinned evenly and not at one end
 }
 
 TEST(Checkpoints, PackBeforeTheyAreThinned) {
@@ -65,7 +65,7 @@ TEST(Checkpoints, PackBeforeTheyAreThinned) {
     checkpoints.restart({0, zmap.snapshot(), 0, 0});
     std::vector<ZMapSnapshot> moments{zmap.snapshot()};
     for (std::size_t block = 1; block <= 400; ++block) {
-        // One tile changes with each block.
+        // Each block changes one tile.
         const Checkpoint checkpoint = next(zmap, block);
         moments.push_back(checkpoint.zmap);
         checkpoints.add(checkpoint);
@@ -75,7 +75,7 @@ TEST(Checkpoints, PackBeforeTheyAreThinned) {
         ASSERT_EQ(found.block, checkpoints.blockBefore(asked));
         ASSERT_LE(found.block, asked);
         ASSERT_TRUE(sameZMap(found.zmap, moments[found.block])) << "block " << found.block;
-        // As long as somebody holds a tile it is the same one, so that viewers upload nothing.
+        // As long as a tile is referenced, the same tile is returned, so that viewers upload nothing.
         const Checkpoint again = checkpoints.before(asked);
         for (std::size_t tile = 0; tile < found.zmap.tileCount(); ++tile)
             ASSERT_EQ(found.zmap.tile(tile), again.zmap.tile(tile));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cancel may come at any moment between the post of a command and the work for it.
+// A cancel may arrive at any moment between posting a command and executing it.
 #include "core/simulation/thread/command_queue.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ TEST(CommandQueue, ACancelOutlivesAWaitThatACommandEnds) {
     ASSERT_FALSE(queue.take().has_value());
     queue.post(SeekCommand{7});
     queue.cancel();
-    queue.wait(); // the thread had found the queue empty before the command came
+    queue.wait(); // the thread had found the queue empty before the command arrived
     ASSERT_TRUE(queue.take().has_value());
     EXPECT_TRUE(queue.beginWork(false).stop_requested());
     EXPECT_TRUE(queue.endWork());

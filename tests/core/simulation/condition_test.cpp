@@ -27,7 +27,7 @@ TEST(Condition, HoldsOrNot) {
         {"10 == X", true},
         {"Y < X", true},
         {"!(T == 3)", false},
-        {"!!T == 3", true}, // of the comparison
+        {"!!T == 3", true}, // negates the comparison
         {"T == 1 || T == 3 && N == 42", true},
         {"(T == 1 || T == 3) && N == 41", false},
         {"T == 1 && N == 42 || L == 17", true},
@@ -80,7 +80,7 @@ TEST(Condition, IsBounded) {
     EXPECT_FALSE(Condition::parse(nested(Condition::kDeepest + 1)));
     EXPECT_FALSE(Condition::parse(std::string(Condition::kLongest + 1, '(')));
     EXPECT_TRUE(Condition::parse(std::string(900, '!') + "Z < 0").value().holds(kValues));
-    // The most operands that can wait for each other.
+    // The maximum number of pending operands.
     std::string deep;
     for (int level = 0; level < Condition::kDeepest; ++level)
         deep += "T==3||T==3&&(";

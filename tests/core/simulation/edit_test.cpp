@@ -28,7 +28,7 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-/// Replaces, removes or adds a line behind the head of the program.
+/// Replaces, removes or adds a line after the head of the program.
 std::string edited(const std::string& text, std::mt19937& random) {
     auto lines = linesOf(text);
     const auto at = static_cast<std::ptrdiff_t>(4 + random() % (lines.size() - 5));
@@ -55,7 +55,7 @@ std::string sentences(const Diagnostics& diagnostics) {
     return text;
 }
 
-/// Everything of a row but how long the work took.
+/// All values of a row except times.
 auto outcome(const BlockStatistics& row) {
     return std::make_tuple(row.facesShown, row.facesFull, row.regionsDirty, row.regionsDecimated,
                            row.maxDepth, row.radialEngagement, row.removedMm3);
@@ -96,8 +96,8 @@ TEST(Edit, ContinuesLikeAFreshRun) {
     }
 }
 
-/// Blocks are counted, replays included, not seconds. The deep blocks at the beginning leave air to most of
-/// the others, so that checkpoints by cutting time alone would lie too far apart.
+/// Counts blocks, including replays, and not seconds. The deep blocks at the beginning leave mostly air cuts
+/// for the others, so checkpoints by cutting time alone would be too far apart.
 TEST(Edit, InTheLastTenthCutsAtMostFifteenPercentOfTheBlocks) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -146,7 +146,7 @@ TEST(Edit, ThatSelectsAToolRestarts) {
     const auto simulation = startedSimulation(programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n"), setup, {});
     simulation->seek(3);
     EXPECT_GT(simulation->frame().removedMm3, 0);
-    // The first blocks read the same, but nothing assumes a tool for them any more.
+    // The first blocks have the same text, but a tool is no longer assumed for them.
     const auto program = programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nT2 M6\nG1 Y20\n");
     apply(*simulation, program);
     simulation->seek(3);
@@ -166,7 +166,7 @@ TEST(Edit, OnlyNotedGoesBackToAValidBlockOfTheNewProgram) {
         edited.insert(at, "G1 X20 Y20 Z-5 F100\n");
         const auto simulation = startedSimulation(programOf(text), smallSetup(), {});
         simulation->seek(110);
-        simulation->refine(); // the picture at rest must not outlive the edit
+        simulation->refine(); // the refined surface at rest must not survive the edit
         const auto program = programOf(edited);
         const std::size_t wanted = simulation->noteProgram(program);
         EXPECT_LE(simulation->position(), wanted);

@@ -83,7 +83,7 @@ TEST(Findings, TheReferencePositionIsClearOfThePart) {
     for (const char* rest : {"G91 G28 Z0\nG28 X0 Y0\nG90 G0 X5 Y5\nG0 Z5\n", "G0 Z5\nG28\nG0 X5 Y5\n",
                              "G53 G0 Z0\nG53 X0 Y0\nG0 X5 Y5\nZ2\n"})
         EXPECT_TRUE(findingsOf(pocket + rest).empty()) << rest;
-    // All axes at once out of a pocket, and a height of the machine that may be anywhere.
+    // All axes at once out of a pocket, and a machine height that is unknown.
     for (const char* rest : {"G28\n", "G53 G0 Z-100\nG0 X5 Y5\n", "G91 G28 Z0\nG90 G0 X10 Y15 Z-7\n"})
         EXPECT_NE(find(findingsOf(pocket + rest), "rapid-unchecked"), nullptr) << rest;
 }
@@ -94,7 +94,7 @@ TEST(Findings, ReportLargeToolNumbersExactly) {
     EXPECT_THAT(message(findings[0]), HasSubstr("T16777217 "));
 }
 
-/// The small stock, and a tool that cuts by a rapid, deeper than its flutes.
+/// Findings for the small stock, and a tool that cuts in a rapid, deeper than its flutes.
 Diagnostics faultsWith(const ToolOrigin& origin) {
     proveout::Setup setup = *smallSetup();
     setup.tools.set(7, parseCutter("flat:d=4,l=1").value(), origin);
@@ -165,7 +165,7 @@ TEST(Findings, UndefinedToolCutsNothingAndIsUnverified) {
 }
 
 TEST(Findings, CuttingWithoutAToolIsUnverified) {
-    const auto setup = setupWithTool(2, "flat:d=4,l=20"); // two tools: nothing can be assumed
+    const auto setup = setupWithTool(2, "flat:d=4,l=20"); // two tools, so none can be assumed
     const auto findings = findingsOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n", setup);
     ASSERT_EQ(findings.size(), 1U);
     EXPECT_STREQ(findings[0].id, "no-tool");
@@ -274,7 +274,7 @@ TEST(Findings, TakeNoLongerWhereThereAreMany) {
         FindingLog log;
         for (int block = 0; block < count; ++block)
             log.add(static_cast<std::size_t>(block), FindingKind::rapidCuts, 1);
-        const std::clock_t begin = std::clock(); // what else the machine does is no matter
+        const std::clock_t begin = std::clock(); // CPU time, so that other load does not matter
         for (int frame = 0; frame < 100; ++frame)
             (void)log.diagnostics(*program, tools);
         return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC * 10;
@@ -282,7 +282,7 @@ TEST(Findings, TakeNoLongerWhereThereAreMany) {
     EXPECT_LT(millisecondsOfAFrame(3'000'000), 5);
 }
 
-/// "LINE id argument" of each.
+/// "LINE id argument" for each finding.
 std::vector<std::string> briefly(const Diagnostics& findings) {
     std::vector<std::string> out;
     for (const Diagnostic& finding : findings)

@@ -7,11 +7,11 @@
 namespace proveout {
 namespace {
 
-/// A machine and a map: what a frame costs one way and the other.
+/// The costs of a frame with and without decimation on a given machine and z-map.
 struct Machine {
-    double secondsPerFrame = 0; ///< of drawing, whatever is drawn
+    double secondsPerFrame = 0; ///< for drawing, independent of the content
     double secondsPerFace = 0;
-    double secondsPerRegion = 0; ///< of decimation
+    double secondsPerRegion = 0; ///< for decimation
     std::size_t facesShown = 0;  ///< while decimating
     std::size_t facesFull = 0;
     std::size_t regions = 0;
@@ -28,12 +28,12 @@ struct Machine {
     }
 };
 
-/// A million faces on a card that draws ten million a second: decimation pays.
+/// A million triangles on a card that draws ten million per second: decimation pays off.
 constexpr Machine kSlowCard{1e-4, 1e-7, 1e-4, 100'000, 1'000'000, 2000};
-/// The same map on a card to which triangles are nothing.
+/// The same z-map on a card for which triangles cost nothing.
 constexpr Machine kFastCard{2e-4, 1e-12, 1e-4, 100'000, 1'000'000, 2000};
 
-/// Plays so many frames; the frames after which it turned.
+/// Plays the given number of frames; returns the frames after which the decision changed.
 std::vector<int> play(HoldBack& holdBack, const Machine& machine, int frames) {
     std::vector<int> turns;
     for (int k = 0; k < frames; ++k)
@@ -56,7 +56,7 @@ TEST(HoldBack, DecimatesWhereItPays) {
 
 TEST(HoldBack, GivesUpAtOnceWhatCannotPay) {
     Machine machine = kFastCard;
-    machine.secondsPerRegion = 2e-3; // 4 ms a frame; drawing all could take 2 ms more at most
+    machine.secondsPerRegion = 2e-3; // 4 ms per frame; drawing all triangles could take at most 2 ms more
     HoldBack holdBack(5, machine.facesFull);
     const auto turns = play(holdBack, machine, 20);
     ASSERT_EQ(turns.size(), 1u);
@@ -67,7 +67,7 @@ TEST(HoldBack, GivesUpAtOnceWhatCannotPay) {
 
 TEST(HoldBack, FindsByTrialThatDrawingCostsTheSame) {
     Machine machine = kFastCard;
-    machine.regions = 50; // so that a trial can be paid for
+    machine.regions = 50; // few enough for the cost of a trial
     machine.secondsPerRegion = 2e-5;
     HoldBack holdBack(5, machine.facesFull);
     (void)play(holdBack, machine, 3000);

@@ -17,7 +17,7 @@ Setup withBall(double diameter) {
     return setup;
 }
 
-// Within a test, "Setup" is GoogleTest's.
+// In a test, "Setup" would be GoogleTest's.
 const Setup kNothing;
 
 } // namespace
@@ -28,7 +28,7 @@ TEST(Interpretation, CompensatesForTheCuttersOfTheSetUp) {
                   interpretOptions(withBall(8), {}));
     EXPECT_FALSE(program->unverified());
     ASSERT_GE(program->motionCount(), 3U);
-    // Left of a path along Y, by the radius.
+    // Offset to the left of a path along Y by the radius.
     EXPECT_NEAR(program->motion(2).end.x, -4, 1e-9);
 }
 

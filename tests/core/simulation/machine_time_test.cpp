@@ -12,7 +12,7 @@
 namespace proveout {
 namespace {
 
-/// 6 m/min and 500 mm/s² on every axis, so that numbers are round.
+/// 6 m/min and 500 mm/s² on every axis, which gives round numbers.
 Machine plainMachine() {
     Machine machine;
     machine.rapidXY = machine.rapidZ = machine.largestFeed = 6000;
@@ -29,7 +29,7 @@ std::shared_ptr<const MachineTimes> timesOf(const std::string& text,
     return machineTimes(interpret(NcText(text), options), machine);
 }
 
-/// Seconds of a move of its own.
+/// Seconds of a move that starts and ends at rest.
 double moveSeconds(double length, double mmPerMin, double acceleration = 500) {
     const double speed = mmPerMin / 60;
     return length >= speed * speed / acceleration ? length / speed + speed / acceleration
@@ -41,7 +41,7 @@ TEST(MachineTime, AddsUpRapidsFeedsDwellsAndToolChanges) {
     EXPECT_NEAR(times->parts.rapid, moveSeconds(100, 6000), 1e-9);
     EXPECT_NEAR(times->parts.feed, moveSeconds(50, 3000) + moveSeconds(100, 3000), 1e-9);
     EXPECT_DOUBLE_EQ(times->parts.dwell, 3.5);
-    EXPECT_DOUBLE_EQ(times->parts.toolChange, 8); // a tool that is there already is not changed
+    EXPECT_DOUBLE_EQ(times->parts.toolChange, 8); // the current tool is not changed again
     ASSERT_EQ(times->secondsAfter.size(), 4U);
     EXPECT_NEAR(times->secondsAfter[1], 4 + moveSeconds(100, 6000), 1e-9);
     EXPECT_NEAR(times->secondsAfter[2] - times->secondsAfter[1], moveSeconds(50, 3000), 1e-9);
@@ -59,7 +59,7 @@ TEST(MachineTime, KeepsEachAxisWithinItsLimits) {
     machine.rapidZ = 3000;
     machine.accelerationZ = 250;
     EXPECT_NEAR(timesOf("G0 Z-100\n", machine)->parts.rapid, moveSeconds(100, 3000, 250), 1e-9);
-    // Both axes at their own limit: the way is √2 as long and as fast.
+    // Both axes at their own limit: the path is √2 as long and √2 as fast.
     const double root = std::sqrt(2.0);
     EXPECT_NEAR(timesOf("G0 X100 Y100\n", machine)->parts.rapid,
                 moveSeconds(100 * root, 6000 * root, 500 * root), 1e-9);
@@ -68,7 +68,7 @@ TEST(MachineTime, KeepsEachAxisWithinItsLimits) {
 }
 
 TEST(MachineTime, KnowsAllWaysToGiveAFeed) {
-    // 50 mm in half a minute, and 0.1 mm a turn at 6000 turns a minute.
+    // 50 mm in half a minute, and 0.1 mm per revolution at 6000 rpm.
     EXPECT_NEAR(timesOf("G93 G1 X50 F2\n")->parts.feed, moveSeconds(50, 100), 1e-6);
     EXPECT_NEAR(timesOf("S6000 M3\nG95 G1 X50 F0.1\n")->parts.feed, moveSeconds(50, 600), 1e-5);
     const auto without = timesOf("G1 X50\n");
@@ -78,11 +78,12 @@ TEST(MachineTime, KnowsAllWaysToGiveAFeed) {
 
 TEST(MachineTime, ArcsTakeTheirLengthAndKeepToTheCentripetalLimit) {
     constexpr double kPi = std::numbers::pi;
-    // Half a circle of 20 mm at 3000 mm/min, 50 mm/s: 125 mm/s² sideways is less than the machine's 500.
+    // Half a circle of 20 mm at 3000 mm/min, i.e. 50 mm/s: the centripetal acceleration of 125 mm/s² is below
+    // the limit of 500.
     EXPECT_NEAR(timesOf("G2 X40 I20 F3000\n")->parts.feed, moveSeconds(20 * kPi, 3000), 1e-9);
-    // Of 0.5 mm radius: √(500·0.5) mm/s.
+    // With a radius of 0.5 mm: √(500·0.5) mm/s.
     EXPECT_NEAR(timesOf("G2 I0.5 F6000\n")->parts.feed, moveSeconds(kPi, 60 * std::sqrt(250)), 1e-9);
-    // A helix is as fast as its curvature allows, and as long as its path.
+    // A helix is as fast as its curvature allows, along its full path.
     const double length = std::hypot(20 * kPi, 20.0);
     const double speed = std::sqrt(500 * length * length / (10 * 4 * kPi * kPi));
     EXPECT_NEAR(timesOf("G2 I10 Z-20 F6000\n")->parts.feed, moveSeconds(length, 60 * speed), 1e-6);
@@ -90,7 +91,7 @@ TEST(MachineTime, ArcsTakeTheirLengthAndKeepToTheCentripetalLimit) {
 
 TEST(MachineTime, TangentsAreNoCorners) {
     Machine machine = plainMachine();
-    machine.accelerationXY = 5000; // so that the arc itself is no limit
+    machine.accelerationXY = 5000; // so that the arc does not limit the speed
     machine.accelerationZ = 5000;
     constexpr double kPi = std::numbers::pi;
     const auto times = timesOf("G1 X30 F3000\nG3 X30 Y40 J20\nG1 X0\n", machine);
@@ -101,7 +102,7 @@ TEST(MachineTime, SplittingAMotionChangesNothing) {
     std::string split;
     for (int i = 1; i <= 500; ++i)
         split += fmt::format("X{:.1f} Y{:.2f}\n", i * 0.4, i * 0.3);
-    const Machine machine; // with a deviation, which must not matter
+    const Machine machine; // with a cornering tolerance, which must have no effect
     const double whole = timesOf("G1 F4000 X200 Y150\nX0\n", machine)->parts.total();
     EXPECT_NEAR(timesOf("G1 F4000\n" + split + "X0\n", machine)->parts.total(), whole, 1e-7 * whole);
 }

@@ -13,18 +13,18 @@ namespace proveout {
                                                             std::shared_ptr<const Setup> setup,
                                                             const DecimationParameters& parameters);
 
-/// Notes other parameters and does the work for them.
+/// Sets other parameters and runs the resulting work.
 void apply(Simulation& simulation, const DecimationParameters& parameters, const WorkContext& context = {});
-/// Notes an edited program and goes to the block where it goes on.
+/// Sets an edited program and seeks to the block from which it continues.
 void apply(Simulation& simulation, std::shared_ptr<const Program> program);
 
-/// All frames of a straight run, from block 0 to the end.
+/// All frames of a direct run, from block 0 to the end.
 [[nodiscard]] std::vector<Frame> straightRun(const std::shared_ptr<const Program>& program,
                                              const std::shared_ptr<const Setup>& setup,
                                              const DecimationParameters& parameters);
 
-/// Empty where two frames show the same moment: z-map bit for bit, the same dirty regions, the same triangles
-/// and borders, the same counts. Else what differs.
+/// Empty if two frames show the same moment: z-map bit for bit, the same dirty regions, triangles, borders
+/// and counts. Otherwise describes the difference.
 [[nodiscard]] std::string difference(const Frame& a, const Frame& b);
 
 [[nodiscard]] bool sameZMap(const ZMapSnapshot& a, const ZMapSnapshot& b);

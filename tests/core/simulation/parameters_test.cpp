@@ -94,7 +94,7 @@ TEST(Parameters, OnlyNotedLeaveTheWorkToTheNextSeek) {
     EXPECT_FALSE(simulation->settled()) << "the same once more is no reason to forget the work";
     simulation->seek(45);
     EXPECT_TRUE(simulation->settled());
-    coarse.period = 0; // nothing to decimate, so no work is left
+    coarse.period = 0; // nothing to decimate, so no work remains
     simulation->noteParameters(coarse);
     EXPECT_TRUE(simulation->settled());
 }
@@ -102,7 +102,7 @@ TEST(Parameters, OnlyNotedLeaveTheWorkToTheNextSeek) {
 TEST(DecimatedNow, DecimatesEverythingAndChangesNothing) {
     DecimationParameters never;
     never.period = 0;
-    never.method = DecimationMethod::lee; // whose meshes are those of the schedule
+    never.method = DecimationMethod::lee; // a method whose meshes are those of the schedule
     never.regionCells = 8;
     const auto program = programOf(randomProgram(2, 45));
     const auto simulation = startedSimulation(program, smallSetup(), never);
@@ -113,7 +113,7 @@ TEST(DecimatedNow, DecimatesEverythingAndChangesNothing) {
     EXPECT_LT(all.faces, all.facesFull);
     EXPECT_EQ(difference(simulation->frame(), before), "");
     EXPECT_EQ(before.surface.faces, before.surface.facesFull);
-    // The schedule's own meshes at a moment are the same ones.
+    // The schedule's own meshes at the same moment are identical.
     DecimationParameters every = never;
     every.period = 33;
     const auto scheduled = startedSimulation(program, smallSetup(), every);

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// The block that playback is to stand behind.
+/// The block after which playback should be.
 std::size_t dueBlock(const PlaybackClock& clock, std::size_t from, PlaybackClock::Time now) {
     while (clock.isDue(from, now))
         ++from;
@@ -31,12 +31,12 @@ TEST(PlaybackClock, GoesByAMeasure) {
     const PlaybackClock::Time start{};
     PlaybackClock clock;
     clock.setMeasure(std::make_shared<const PlaybackMeasure>(PlaybackMeasure{0, 10, 10, 11, 15}));
-    clock.start(0, 2, start); // units a second
+    clock.start(0, 2, start); // units per second
     EXPECT_EQ(dueBlock(clock, 0, start + 4999ms), 0U);
-    EXPECT_EQ(dueBlock(clock, 0, start + 5s), 2U); // the second takes no time
+    EXPECT_EQ(dueBlock(clock, 0, start + 5s), 2U); // the second block takes no time
     EXPECT_EQ(clock.next(2, start), start + 5500ms);
     EXPECT_EQ(dueBlock(clock, 0, start + 7500ms), 4U);
-    // Behind its end blocks take the mean of the others.
+    // After the end of the measure, blocks take the mean of the others.
     EXPECT_EQ(clock.next(4, start + 7500ms), start + 7500ms + 1875ms);
     clock.start(2, 2, start);
     EXPECT_EQ(clock.next(2, start), start + 500ms);
@@ -59,9 +59,9 @@ TEST(PlaybackClock, ReportsWhichPartOfItsSpeedItKeeps) {
     auto now = start;
     for (; now < start + 2s; now += 40ms)
         clock.reached(block = dueBlock(clock, block, now), now);
-    EXPECT_DOUBLE_EQ(clock.keptPart(), 1); // late now and then, but never by more than it owes
+    EXPECT_DOUBLE_EQ(clock.keptPart(), 1); // late at times, but it always catches up
     for (; now < start + 6s; now += 100ms)
-        clock.reached(++block, now); // ten blocks a second instead of a hundred
+        clock.reached(++block, now); // ten blocks per second instead of a hundred
     EXPECT_NEAR(clock.keptPart(), 0.1, 0.03);
     clock.start(block, 100, now);
     EXPECT_DOUBLE_EQ(clock.keptPart(), 1);
@@ -86,7 +86,7 @@ TEST(PlaybackClock, OwesNothingAfterASlowBlock) {
     const PlaybackClock::Time start{};
     PlaybackClock clock;
     clock.start(0, 10, start);
-    // Block 1 takes 3 s: 30 blocks are due, and none of them is caught up.
+    // Block 1 takes 3 s: 30 blocks are due, but the clock does not catch up.
     clock.reached(1, start + 3s);
     EXPECT_EQ(dueBlock(clock, 1, start + 3s), 1U);
     EXPECT_EQ(clock.next(1, start + 3s), start + 3s + 100ms);
@@ -98,7 +98,7 @@ TEST(PlaybackClock, KeepsItsRateThroughSlicesOfWork) {
     clock.start(0, 1000, start);
     std::size_t block = 0;
     for (auto now = start; now < start + 2s; now += 10ms)
-        clock.reached(block = dueBlock(clock, block, now), now + 8ms); // the work of a slice takes most of it
+        clock.reached(block = dueBlock(clock, block, now), now + 8ms); // the work takes most of a slice
     EXPECT_EQ(dueBlock(clock, block, start + 2s), 2000U);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that probe the stock which they have cut.
+// Programs that probe the stock that they have cut.
 #include "core/simulation/run/probed_stock.h"
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST(ProbedStock, IsTheStockAsItWasCut) {
             stops.push_back(program->motion(k).end);
     ASSERT_EQ(stops.size(), 3U);
     EXPECT_NEAR(stops[0].z, -4, kTolerance);
-    // Its tip at -3.5, the ball meets the upper edge of the wall at X24 below its middle.
+    // With its tip at -3.5, the ball touches the upper edge of the wall at X24 below its middle.
     EXPECT_NEAR(stops[1].x, 24 - 3, kTolerance);
     EXPECT_NEAR(stops[2].z, 0, kTolerance);
     EXPECT_FALSE(program->unverified());
@@ -53,7 +53,7 @@ TEST(ProbedStock, ComesFreeAndTouchesAgain) {
     const auto program = interpreted(
         kMillASlot + "T2 M6\nG0 X20 Y15 Z5\nG0 Z-2\nG38.2 X30 F50\nG38.4 X20 F20\nG38.2 X30\nM2\n",
         milledAndProbed());
-    const double reach = std::sqrt(9.0 - 1); // the ball 2 mm above its tip
+    const double reach = std::sqrt(9.0 - 1); // radius of the ball 2 mm above its tip
     const std::size_t last = lastOf(*program);
     EXPECT_NEAR(program->motion(last).end.x, 24 - reach, kTolerance);
     EXPECT_EQ(program->diagnostics().back().id, std::string("probe-touches"));
@@ -77,7 +77,7 @@ TEST(ProbedStock, IsNotCutByProbing) {
     };
     const double milled = removed(kMillASlot + "M2\n");
     EXPECT_EQ(removed(kMillASlot + "T2 M6\nG0 X20 Y15 Z5\nG38.3 Z-8 F50\nG0 Z5\nM2\n"), milled);
-    // Nor by a motion that no stock stops.
+    // The same for a motion that the stock does not stop.
     EXPECT_EQ(removed(kMillASlot + "T9 M6\nG0 X20 Y15 Z5\nG38.3 Z-8 F50\nG0 Z5\nM2\n"), milled);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever way led to a block, the state there is that of a fresh run; and an edit costs what lies behind it.
+// Whatever the path to a block, the state there must equal that of a fresh run; and the cost of an edit must
+// depend only on what follows it.
 #include <gtest/gtest.h>
 #include <random>
 #include <sstream>
@@ -12,7 +13,7 @@
 namespace proveout {
 namespace {
 
-/// Another feed motion in place of one line behind the head of the program.
+/// Replaces one line after the head of the program by another feed motion.
 std::string withAnotherLine(const std::string& text, std::mt19937& random) {
     std::vector<std::string> lines;
     std::istringstream in(text);
@@ -42,13 +43,13 @@ struct PathCase {
 
 class RandomPath : public testing::TestWithParam<PathCase> {};
 
-/// Each kind of step in the proportion in which a user takes them; 1 000 in all.
+/// Each kind of step as frequently as in practice; 1 000 in total.
 TEST_P(RandomPath, EndsAsAFreshRunDoes) {
     const int steps = roundsOf(1000);
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
-    const auto setup = smallSetup(0.25); // some tens of tiles
+    const auto setup = smallSetup(0.25); // gives some tens of tiles
     std::string text = randomProgram(random(), 120);
     auto program = programOf(text);
     DecimationParameters parameters;
@@ -85,8 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Budgets, RandomPath,
                                          PathCase{"None", 0}),
                          [](const auto& row) { return std::string(row.param.name); });
 
-/// Counted in blocks, which other work on the machine hardly changes. On a fine grid, with a wide cutter:
-/// checkpoints are hundredths of a second of cutting apart, however little that is of the whole.
+/// Counted in blocks, which other load on the machine hardly changes. With a fine grid and a wide cutter:
+/// checkpoints are hundredths of a second of cutting apart, however small a share of the total that is.
 TEST(EditCost, IsWhatLiesBehindTheEdit) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -102,7 +103,7 @@ TEST(EditCost, IsWhatLiesBehindTheEdit) {
     ASSERT_EQ(whole, simulation->blockCount());
     std::mt19937 random(seed);
     for (int edit = 0; edit < 3; ++edit) {
-        // A line of the last tenth; the head of the text has three lines that move nothing.
+        // A line in the last tenth; the head of the text has three lines without motion.
         std::size_t at = 0;
         const auto tenth = static_cast<std::size_t>(blocks / 10);
         for (std::size_t line = 3 + 9 * tenth + random() % (tenth - 5); line > 0; --line)

@@ -16,7 +16,7 @@ DecimationParameters smallRegions() {
     return parameters;
 }
 
-/// What is to be seen at rest: made from the z-map of a frame and nothing else.
+/// The surface that must be shown at rest, computed only from the z-map of a frame.
 std::vector<LatticeTriangle> fromScratch(const Frame& frame) {
     const Grid& grid = frame.zmap.grid();
     RefinedSurface surface(grid.nx, grid.ny, frame.parameters);

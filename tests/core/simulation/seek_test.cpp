@@ -43,7 +43,7 @@ TEST(Simulation, RunTwiceIsEqual) {
 }
 
 TEST(Simulation, RandomSeeksEqualAStraightRun) {
-    const int seeks = roundsOf(250); // for each case: more than 1 000 in all
+    const int seeks = roundsOf(250); // for each case, so more than 1 000 in total
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);

@@ -23,17 +23,17 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr auto kPatience = 30s; // far more than a loaded machine needs; only a failure waits so long
+constexpr auto kPatience = 30s; // far more than a loaded machine needs; only a failure waits that long
 
-// What is promised. A sanitized build is some ten times slower, and beside others of its kind slower still:
-// there it is enough that the answer comes in the middle of the work.
+// The guaranteed limit. A sanitized build is about ten times slower, and slower still next to others: there
+// it is sufficient that the response comes during the work.
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
 constexpr auto kCancelLimit = kPatience;
 #else
 constexpr auto kCancelLimit = 200ms;
 #endif
 
-/// A method that shows the surface of the schedule at rest too, so that frames do not depend on the clock.
+/// A method that shows the surface of the schedule at rest too, so that frames do not depend on timing.
 DecimationParameters bySchedule() {
     DecimationParameters parameters;
     parameters.method = DecimationMethod::lee;
@@ -61,7 +61,7 @@ public:
 
     SimulationThread& thread() { return m_thread; }
 
-    /// The first frame that fulfils `wanted`; null where none came in time.
+    /// The first frame for which `wanted` is true; null if none arrives in time.
     template<class Wanted>
     FramePtr waitFor(Wanted wanted) {
         const auto end = Clock::now() + kPatience;
@@ -82,7 +82,7 @@ public:
             return frame.block == block && (frame.surface.dirtyRegions == 0 || block % 20 != 0);
         });
     }
-    /// Whether `block` was published in time, frames taken and none of them told as shown.
+    /// Whether `block` is published in time if frames are received but never reported as shown.
     bool waitForUndrawn(std::size_t block) {
         const auto end = Clock::now() + kPatience;
         std::unique_lock lock(m_mutex);
@@ -93,7 +93,7 @@ public:
         }
         return false;
     }
-    /// Until work that began after the last forget() tells that it takes long.
+    /// Waits until work that started after the last forget() reports progress.
     bool waitForProgress() {
         std::unique_lock lock(m_mutex);
         return m_changed.wait_for(lock, kPatience, [this] { return m_progress > 0 && m_progress < 1; });
@@ -125,7 +125,7 @@ private:
     std::uint64_t m_failedGeneration = 0;
     double m_progress = 0;
     FramePtr m_last;
-    SimulationThread m_thread; // last: it ends before what its listener uses
+    SimulationThread m_thread; // last member: it must end before what its listener uses is destroyed
 };
 
 TEST(SimulationThread, LoadsSeeksAndSteps) {
@@ -178,7 +178,7 @@ TEST(SimulationThread, PlaysByTheWallClock) {
     thread.post(PlayCommand{200, false});
     const auto frame = listening.waitFor([](const Frame& shown) { return shown.block >= 60; });
     ASSERT_NE(frame, nullptr);
-    // 60 blocks at 200 a second take 0.3 s at least; how much longer, the machine decides.
+    // 60 blocks at 200 per second take at least 0.3 s; the upper limit depends on the machine.
     EXPECT_GE(Clock::now() - start, 290ms);
 }
 
@@ -186,7 +186,7 @@ TEST(SimulationThread, PlaysByAMeasure) {
     const auto program = programOf(randomProgram(4, 40));
     Listening listening;
     listening.thread().post(LoadCommand{program, smallSetup(), bySchedule(), 1});
-    // The first ten blocks take no time, the eleventh an hour.
+    // The first ten blocks take no time, the eleventh takes an hour.
     PlaybackMeasure measure(program->blockCount() + 1, 3600);
     std::fill_n(measure.begin(), 11, 0);
     const auto shared = std::make_shared<const PlaybackMeasure>(std::move(measure));
@@ -230,7 +230,7 @@ TEST(SimulationThread, StopsAtBreakpointsAndContinuesFromThem) {
         const auto end = listening.waitForBlock(program->blockCount());
         ASSERT_NE(end, nullptr);
         EXPECT_EQ(end->stoppedBy, nullptr);
-        // Seeks pass them by.
+        // Seeks do not stop at them.
         listening.thread().post(SeekCommand{0});
         ASSERT_NE(listening.waitForBlock(0), nullptr);
         listening.thread().post(SeekCommand{7});
@@ -244,7 +244,7 @@ TEST(SimulationThread, PaperModeShowsEveryBlock) {
     thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), bySchedule(), 1});
     ASSERT_NE(listening.waitForBlock(0), nullptr);
     thread.post(PlayCommand{kInfinity, true});
-    std::vector<std::size_t> blocks{0}; // seen above, and not always published a second time
+    std::vector<std::size_t> blocks{0}; // seen above, and not necessarily published again
     const auto end = listening.waitFor([&blocks](const Frame& frame) {
         if (blocks.back() != frame.block)
             blocks.push_back(frame.block);
@@ -280,7 +280,7 @@ TEST(SimulationThread, PauseHoldsThePosition) {
     const auto paused =
         listening.waitFor([](const Frame& frame) { return !frame.playing && frame.block > 0; });
     ASSERT_NE(paused, nullptr);
-    // What is executed after the pause finds the same block.
+    // The block is the same as the one reached after the pause.
     DecimationParameters marked = bySchedule();
     marked.seed = 77;
     thread.post(ParametersCommand{marked});
@@ -402,7 +402,7 @@ TEST(SimulationThread, ACancelBeforeAnythingIsRefinedKeepsThePicture) {
     thread.cancel();
     if (Clock::now() - asked > 140ms)
         GTEST_SKIP() << "this machine is too busy to be quicker than the picture at rest";
-    std::this_thread::sleep_for(400ms); // more than passes before a picture at rest
+    std::this_thread::sleep_for(400ms); // longer than the delay of the refined frame at rest
     const auto frame = listening.waitFor([](const Frame&) { return true; });
     EXPECT_EQ(frame->level, ErrorLevel::sample);
 }
@@ -427,7 +427,7 @@ TEST(SimulationThread, ACancelOfALoadHoldsForWhatFollowsFromIt) {
     auto& thread = listening.thread();
     thread.post(LoadCommand{programOf(randomProgram(32, 20'000)), smallSetup(0.05), {}, 1});
     thread.post(SeekCommand{20'000});
-    std::this_thread::sleep_for(1ms); // most likely within the load
+    std::this_thread::sleep_for(1ms); // most likely during the load
     thread.cancel();
     const auto frame = listening.waitFor([](const Frame&) { return true; });
     ASSERT_NE(frame, nullptr);
@@ -435,7 +435,7 @@ TEST(SimulationThread, ACancelOfALoadHoldsForWhatFollowsFromIt) {
     EXPECT_LT(listening.waitFor([](const Frame&) { return true; })->block, 20'000U);
 }
 
-/// Random commands from another thread for some seconds, then the state must be what the last ones ask for.
+/// Random commands from another thread for some seconds; afterwards the state must match the last ones.
 TEST(SimulationThread, SurvivesAStormOfCommands) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -499,7 +499,7 @@ TEST(SimulationThread, SurvivesAStormOfCommands) {
     EXPECT_EQ(frame->parameters, parameters);
 }
 
-/// Half a thousand seeks in two seconds, as from a timeline that is dragged while the program plays.
+/// Half a thousand seeks in two seconds, as when the timeline is dragged during playback.
 TEST(SimulationThread, AnswersAStormOfSeeks) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -40,7 +40,7 @@ bool speaksOf(const Program& program, std::string_view id) {
     return std::ranges::any_of(program.diagnostics(), [&](const Diagnostic& each) { return id == each.id; });
 }
 
-/// Interpreted as the setup says, and run to the end.
+/// Interprets the text with the setup, and runs it to the end.
 Outcome run(const std::string& text, const std::shared_ptr<const Setup>& setup) {
     const auto program = interpretOn(*setup, NcText(text), interpretOptions(*setup, {}));
     const auto simulation = startedSimulation(program, setup, {});
@@ -88,8 +88,8 @@ TEST(StartTool, IsShownBeforeTheFirstBlock) {
     EXPECT_TRUE(assumed.toolAssumed);
 }
 
-/// The control knows it too: G43 without H takes the length of the tool in the spindle, G41 without D its
-/// diameter.
+/// The control knows the start tool too: G43 without H uses the length of the tool in the spindle, G41
+/// without D its diameter.
 TEST(StartTool, IsThatOfCutterCompensation) {
     const std::string text = "G0 X0 Y-20 Z5\nG41 G1 X0 Y0 F100\nY20\nY40\nG40\nM2\n";
     const auto end = [&](std::optional<int> start) {
@@ -104,7 +104,7 @@ TEST(StartTool, IsThatOfCutterCompensation) {
 
 const std::string kCompensated = "G0 X5 Y5 Z5\nG1 Z-1 F100\nG41 G1 X20 Y10\nY20\nY25\nG40 X25\n";
 
-/// What is cut on an assumption is cut on the path of the assumed tool: 2 mm left of the programmed one.
+/// With an assumed tool, compensation uses that tool: 2 mm left of the programmed path.
 TEST(StartTool, ThatIsAssumedIsThatOfCutterCompensation) {
     const auto read = [](const std::vector<int>& tools, std::optional<int> start, const std::string& text) {
         const auto setup = setupOf(tools, start);
@@ -125,7 +125,7 @@ TEST(StartTool, ThatIsAssumedIsThatOfCutterCompensation) {
     EXPECT_THAT(done.ids, ElementsAre("tool-assumed"));
 }
 
-/// A program that is read again for a look at one of its blocks is the same program.
+/// A program that is interpreted again to inspect one of its blocks is the same program.
 TEST(StartTool, ThatIsAssumedIsTheSameInALookBack) {
     const auto setup = setupOf({5}, {});
     const auto program = interpretOn(*setup, NcText(kCompensated), interpretOptions(*setup, {}));
@@ -148,9 +148,9 @@ TEST(StartTool, IsSpokenOfByWhatTheProgramCalls) {
                 testing::HasSubstr("cuts before it calls a tool; T0 is assumed"));
 }
 
-/// "T0 M6" returns the tool to the magazine: on LinuxCNC (its manual, "tool table": T0 is no tool, unless the
-/// tool changer is random, where it is a tool like any other), on Fanuc, Haas and Mach. So T0 is what the
-/// tool table says: a cutter, or else an empty spindle.
+/// "T0 M6" returns the tool to the magazine: on LinuxCNC (its manual, "tool table": T0 means no tool, except
+/// with a random tool changer, where it is a normal tool), on Fanuc, Haas and Mach. So T0 is the cutter in
+/// the tool table, or otherwise an empty spindle.
 TEST(ToolZero, IsACutterWhereTheTableHasItAndElseAnEmptySpindle) {
     for (const DialectId dialect :
          {DialectId::linuxcnc, DialectId::fanuc, DialectId::haas, DialectId::mach}) {
@@ -162,7 +162,7 @@ TEST(ToolZero, IsACutterWhereTheTableHasItAndElseAnEmptySpindle) {
         EXPECT_EQ(empty.frame.removedMm3, 0);
         EXPECT_THAT(empty.ids, ElementsAre("no-tool"));
         EXPECT_THAT(message(empty.frame.findings.front()), testing::HasSubstr("T0"));
-        // Emptied at the end, on the way home: nothing to miss.
+        // The spindle is emptied at the end, on the way home, so no tool is missing.
         EXPECT_THAT(run("G21 G90\nT1 M6\nG0 X5. Y5. Z5.\nG1 Z-2. F100.\nG0 Z5.\nT0 M6\nG0 X0. Y0.\n",
                         setupOf({1}, {}, dialect))
                         .ids,
@@ -170,7 +170,7 @@ TEST(ToolZero, IsACutterWhereTheTableHasItAndElseAnEmptySpindle) {
     }
 }
 
-/// grbl has no tool change: T says nothing about the spindle, so T0 is no sign of a missing tool.
+/// grbl has no tool change: T does not affect the spindle, so T0 does not indicate a missing tool.
 TEST(ToolZero, SaysNothingOnGrbl) {
     const std::string text = "G21 G90\nT0\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n";
     const auto setup = setupOf({1}, 1, DialectId::grbl);
@@ -179,7 +179,8 @@ TEST(ToolZero, SaysNothingOnGrbl) {
     EXPECT_THAT(run(text, setup).ids, IsEmpty());
 }
 
-/// A post that writes "T0 : 3.175" and never calls a tool: the control's number before any call is 0.
+/// A post processor that writes "T0 : 3.175" and never calls a tool: the control's tool number before any
+/// call is 0.
 TEST(ToolZero, OfTheTableIsAssumedWhereNoToolIsCalledBeforeTheFirstCut) {
     const Outcome assumed = run(kCut, setupOf({0, 1}, {}));
     EXPECT_GT(assumed.frame.removedMm3, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the statistics against a recount that knows z-maps and surfaces, but no simulator.
+// Compares the rows of the statistics with a recount that uses z-maps and surfaces, but no simulator.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>

@@ -70,7 +70,7 @@ TEST(StockPosition, APathThatLeavesTheStockByMoreThanItsSizeIsReported) {
 }
 
 TEST(StockPosition, AProgramThatHasRemovedNothingInTheEndIsReported) {
-    // Down beside the stock, and up again over it: the box of its motions reaches the stock.
+    // Down next to the stock, and up again above it: the bounding box of the motions intersects the stock.
     const std::string around = "T1 M6\nG0 X-5 Y15 Z5\nG1 Z-2 F100\nZ5\nX20\nM2\n";
     const auto untouched = warningsAt({0, 0, 0}, around);
     ASSERT_EQ(untouched.size(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs on stock that is no box.
+// Runs on stock that is not a box.
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace proveout {
 namespace {
 
-/// A round bar of 40 mm where the box of smallSetup() is.
+/// A round bar of 40 mm in place of the box of smallSetup().
 std::shared_ptr<const proveout::Setup> roundSetup() {
     proveout::Setup setup = *smallSetup();
     setup.shape.kind = StockKind::cylinder;
@@ -92,10 +92,10 @@ TEST(StockOfAShape, IsProbedWhereItIs) {
     const auto stops = probedStops(*program);
     ASSERT_EQ(stops.size(), 4U);
     constexpr double kTolerance = StockContact::kTolerance;
-    // A probe of 3 mm beside a cylinder of 15 mm.
+    // A probe of 3 mm next to a cylinder of 15 mm.
     EXPECT_NEAR(stops[0].x, 15 - 18, kTolerance);
     EXPECT_NEAR(stops[1].x, 15 - std::sqrt(18.0 * 18 - 9 * 9), kTolerance);
-    EXPECT_NEAR(stops[2].x, -10, 1e-12); // missed
+    EXPECT_NEAR(stops[2].x, -10, 1e-12); // no contact
     EXPECT_NEAR(stops[3].z, 0, kTolerance);
 }
 
@@ -114,7 +114,7 @@ TEST(StockOfAShape, OfASavedOneIsProbedAsItsMapIs) {
     const auto program = interpret(NcText(kProbe), interpretOptions(setup, {}));
     const auto stops = probedStops(*program);
     ASSERT_EQ(stops.size(), 4U);
-    // The wall rises between X9.5 and X10; at Z-4 it stands at a third of that.
+    // The wall rises between X9.5 and X10; Z-4 is reached at a third of that.
     EXPECT_NEAR(stops[0].x, 9.5 + 0.5 / 3 - 3, 2 * StockContact::kTolerance);
     EXPECT_NEAR(stops[3].z, 0, StockContact::kTolerance);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work that was stopped leaves a state that later work completes to what it would have been.
+// Work that was stopped leaves a state that later work completes to the same result.
 #include <chrono>
 #include <gtest/gtest.h>
 #include <random>
@@ -18,8 +18,8 @@ WorkContext stoppedContext() {
     return {source.get_token(), {}};
 }
 
-/// Asks to stop when the work tells its progress for the `calls`-th time, so that equal seeds stop at equal
-/// places.
+/// Requests a stop when the work reports progress for the `calls`-th time, so that equal seeds stop at the
+/// same point.
 class StopAfter {
 public:
     explicit StopAfter(std::uint_fast32_t calls) : m_left(calls) {}
@@ -99,7 +99,7 @@ TEST(Stop, AnywhereIsCompletedLater) {
         }
     }
     EXPECT_GT(stops, 20) << "too few of the rounds were stopped to prove anything";
-    // Rows of stopped blocks must not tell of surfaces that never were.
+    // Rows of stopped blocks must not describe surfaces that never existed.
     if (!isFine)
         apply(*simulation, fine);
     const auto fresh = startedSimulation(program, setup, fine);
@@ -128,7 +128,7 @@ TEST(Stop, RowsOfAnInterruptedRunAreTrue) {
     for (int round = 0; round < 40; ++round) {
         StopAfter stop(random() % 60);
         simulation->seek(program->blockCount(), stop.context());
-        if (random() % 4 == 0) // away from a block whose decimation may not have ended
+        if (random() % 4 == 0) // leaves a block whose decimation may not have finished
             simulation->seek(random() % (simulation->position() + 1));
     }
     simulation->seek(program->blockCount());

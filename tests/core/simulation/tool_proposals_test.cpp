@@ -148,7 +148,7 @@ TEST(ToolProposals, HostileTextTakesBoundedTime) {
     EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
 }
 
-/// Each comment once was compared with all cutters that were found before.
+/// Regression test: each comment used to be compared with all cutters found before.
 TEST(ToolProposals, CommentsAtEveryMotionTakeBoundedTime) {
     std::string text;
     for (int k = 0; k < 99'000; ++k)
@@ -158,7 +158,7 @@ TEST(ToolProposals, CommentsAtEveryMotionTakeBoundedTime) {
     EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20);
 }
 
-/// Programs of other people whose tools are known: what comments say must be that.
+/// Third-party programs whose tools are known: the proposals from comments must match.
 TEST(ToolProposals, AgreeWithTheKnownToolsOfTheCorpus) {
     const std::filesystem::path corpus = std::filesystem::path(PROVEOUT_SHARED_DIR) / "corpus";
     if (!std::filesystem::exists(corpus / "JOBS.csv"))
@@ -187,8 +187,7 @@ TEST(ToolProposals, AgreeWithTheKnownToolsOfTheCorpus) {
     }
 }
 
-/// The comments of LinuxCNC's own tests and of its libraries speak of diameters and tools without stating
-/// one.
+/// The comments of LinuxCNC's own tests and libraries mention diameters and tools without defining one.
 TEST(ToolProposals, AreNoneInProseOfTheCorpus) {
     const std::filesystem::path library =
         std::filesystem::path(PROVEOUT_SHARED_DIR) / "corpus/linuxcnc-nc_files/nc_files/ngcgui_lib";

@@ -42,9 +42,10 @@ double total(const std::vector<PathPiece>& pieces, double deviation) {
 }
 
 TEST(VelocityPlan, OneMoveIsATrapezoidOrATriangle) {
-    // 100 mm at 50 mm/s and 500 mm/s²: 0.1 s up, 0.1 s down on 5 mm, 95 mm between.
+    // 100 mm at 50 mm/s and 500 mm/s²: 0.1 s for each ramp, which together take 5 mm, and 95 mm at full
+    // speed.
     EXPECT_NEAR(total({straight({1, 0, 0}, 100, 50, 500)}, 0.02), 0.2 + 95 / 50.0, 1e-12);
-    // 1 mm: the peak is sqrt(a·L), and twice that over a is the time.
+    // 1 mm: the peak speed is sqrt(a·L), and the time is twice that over a.
     EXPECT_NEAR(total({straight({0, 1, 1}, 1, 50, 500)}, 0.02), 2 * std::sqrt(1.0 / 500), 1e-12);
 }
 
@@ -65,21 +66,21 @@ TEST(VelocityPlan, ManyPiecesInOneDirectionAreOneMove) {
 
 TEST(VelocityPlan, ACornerIsPassedAtItsLimit) {
     const std::vector<PathPiece> corner{straight({1, 0, 0}, 100, 50, 500), straight({0, 1, 0}, 100, 50, 500)};
-    // Without a deviation it stops: two moves of their own.
+    // With no tolerance it stops at the corner: two separate moves.
     EXPECT_NEAR(total(corner, 0), 2 * (0.2 + 95 / 50.0), 1e-12);
-    // v² = a·d·s/(1 - s), s the sine of half the corner, 45°.
+    // v² = a·d·s/(1 - s), where s is the sine of half the corner angle, 45°.
     const double half = std::sqrt(0.5);
     const double v = std::sqrt(500 * 0.02 * half / (1 - half));
     ASSERT_LT(v, 50);
     const double braking = (50 - v) / 500;
     const double each = 0.1 + braking + (100 - 2.5 - (2500 - v * v) / 1000) / 50;
     EXPECT_NEAR(total(corner, 0.02), 2 * each, 1e-12);
-    // Straight back stops, however wide the deviation.
+    // A reversal stops, however large the tolerance.
     EXPECT_NEAR(total({corner[0], straight({-1, 0, 0}, 100, 50, 500)}, 10), 2 * (0.2 + 95 / 50.0), 1e-12);
 }
 
 TEST(VelocityPlan, APolylineOfACircleIsAsFastAsTheCircle) {
-    // Of ever shorter chords: not faster than the centripetal acceleration allows.
+    // With ever shorter chords: never faster than the centripetal acceleration allows.
     constexpr double kRadius = 5;
     constexpr double kAcceleration = 500;
     const double limit = std::sqrt(kAcceleration * kRadius);
@@ -91,14 +92,14 @@ TEST(VelocityPlan, APolylineOfACircleIsAsFastAsTheCircle) {
                                       2 * kRadius * std::sin(kPi / chords), 1000, kAcceleration));
         }
         const double way = 10 * 2 * kPi * kRadius;
-        // Up to the limit and down again, plus what the ramps lose.
+        // The time at the limit, plus the loss from both ramps.
         const double expected = way / limit + limit / kAcceleration;
         EXPECT_NEAR(total(pieces, 0.02), expected, 0.01 * expected) << chords;
     }
 }
 
-/// The same rules on a path cut into very many short steps, by brute force: what may be entered behind each
-/// step by braking, then by gaining speed.
+/// Applies the same rules to a path cut into very many short steps, by brute force: first the speeds that
+/// braking allows after each step, then those that acceleration allows.
 double steppedTotal(const std::vector<PathPiece>& pieces, double deviation) {
     constexpr int kSteps = 400;
     std::vector<double> limit;
@@ -131,7 +132,7 @@ double steppedTotal(const std::vector<PathPiece>& pieces, double deviation) {
     for (std::size_t i = 0; i < length.size(); ++i) {
         const double next =
             std::sqrt(std::min(limit[i + 1], speed * speed + 2 * acceleration[i] * length[i]));
-        // Within a step speed may rise and fall; there the mean of its ends is a little slow.
+        // Within a step the speed may rise and fall, so the mean of its ends is slightly too slow.
         time += length[i] / std::max((speed + next) / 2, 1e-12);
         speed = next;
     }
@@ -149,7 +150,7 @@ TEST(VelocityPlan, AgreesWithSmallSteps) {
         std::vector<PathPiece> pieces;
         Vec3 direction(1, 0, 0);
         for (int i = 0; i < 60; ++i) {
-            // Rather straight on, sometimes round a corner.
+            // Mostly straight on, sometimes around a corner.
             const double turn = random() % 4 == 0 ? between(-2, 2) : between(-0.2, 0.2);
             direction = glm::normalize(Vec3(direction.x * std::cos(turn) - direction.y * std::sin(turn),
                                             direction.x * std::sin(turn) + direction.y * std::cos(turn),
@@ -178,7 +179,7 @@ TEST(VelocityPlan, PlansInPartsWhatItWouldPlanAtOnce) {
     const auto whole = times(pieces, 0.02);
     for (std::size_t i = 0; i < whole.size(); ++i)
         ASSERT_GT(whole[i], 0) << i;
-    // The middle of it, far enough from both ends for neither to matter.
+    // The middle, far enough from both ends that they have no effect.
     const std::vector<PathPiece> middle(pieces.begin() + 15'000, pieces.begin() + 20'000);
     const auto part = times(middle, 0.02);
     for (std::size_t i = 1000; i < 4000; ++i)

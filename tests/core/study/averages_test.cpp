@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Averages, lines and quantiles against their closed forms.
+// Compares averages, lines and quantiles with their closed forms.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
@@ -10,7 +10,7 @@
 namespace proveout {
 namespace {
 
-/// A saw as in the paper's Fig. 10: 0, 1, …, period - 1, 0, 1, …
+/// A sawtooth as in the paper's Fig. 10: 0, 1, …, period - 1, 0, 1, …
 std::vector<Vec2> saw(std::size_t points, std::size_t period) {
     std::vector<Vec2> out;
     for (std::size_t k = 0; k < points; ++k)

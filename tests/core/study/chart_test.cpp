@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ticks, pictures and tables.
+// Ticks, images and tables.
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>

@@ -7,7 +7,7 @@
 namespace proveout {
 namespace {
 
-/// Samples of work that varies in all three terms.
+/// Samples of work in which all three terms vary.
 std::vector<CostSample> samplesOf(const Coefficients& truth) {
     std::vector<CostSample> samples;
     for (int a = 0; a < 4; ++a)
@@ -31,7 +31,7 @@ RC_GTEST_PROP(FitCost, FindsTheCoefficientsThatMadeTheSamples, ()) {
 TEST(FitCost, LeavesOutASampleThatSomethingElseDisturbed) {
     const Coefficients truth{1e-3, 2e-5, 3e-8};
     std::vector<CostSample> samples = samplesOf(truth);
-    for (std::size_t k = 0; k < samples.size(); ++k) // what every clock does
+    for (std::size_t k = 0; k < samples.size(); ++k) // the error that every clock has
         samples[k].seconds *= k % 2 == 0 ? 1.001 : 0.999;
     samples[5].seconds += 10;
     const Coefficients found = fitCost(samples);
@@ -40,7 +40,7 @@ TEST(FitCost, LeavesOutASampleThatSomethingElseDisturbed) {
 }
 
 TEST(Slowdown, GivesBackTheMeanThatAFitLeftOut) {
-    // One of sixteen samples takes twice as long as it should: on the mean, work takes more by its share.
+    // One of sixteen samples takes twice its time, which raises the mean by that share.
     const Coefficients truth{1e-3, 2e-5, 3e-8};
     std::vector<CostSample> samples = samplesOf(truth);
     double seconds = 0;
@@ -56,7 +56,7 @@ TEST(Slowdown, GivesBackTheMeanThatAFitLeftOut) {
 }
 
 TEST(FitCost, NeverGoesBelowZero) {
-    // Least squares alone would give the constant a negative coefficient here.
+    // Plain least squares would give the constant a negative coefficient here.
     std::vector<CostSample> samples;
     for (int k = 1; k <= 8; ++k)
         samples.push_back({{1, double(k), 0}, double(k) - 0.5 + (k == 1 ? 0.1 : 0.0)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of figures, and what the paper says of its curves as far as counts tell.
+// The table of figures, and the paper's statements about its curves as far as counts can show them.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
@@ -13,7 +13,7 @@
 namespace proveout {
 namespace {
 
-/// The figures are the paper's, so their method is too, whatever the product's own is.
+/// The figures are those of the paper, so they use its method, whatever the product's default.
 StudySubject subjectOf(int blocks = 120) {
     DecimationParameters base;
     base.method = DecimationMethod::lee;
@@ -44,7 +44,7 @@ TEST(Figures, EveryRowHasASweepAndAName) {
             std::ranges::any_of(sweepTable(), [&](const SweepRow& s) { return s.kind == row.sweep; }));
         EXPECT_NE(*row.title, '\0');
     }
-    // All figures of the paper that hold data.
+    // All figures of the paper that contain data.
     std::string papers;
     for (const FigureRow& row : figureTable())
         papers += std::string(" ") + row.paper + ",";
@@ -96,13 +96,13 @@ TEST(Figure9, FacesFallWithTheAllowanceFromARatioOfOne) {
 TEST(Figure10, FacesAreLeastRightAfterAMoment) {
     const StudySubject subject = subjectOf();
     const Chart chart = figure("fig10").chart(subject, runsOf(subject, SweepKind::allowance));
-    const std::vector<Vec2>& faces = chart.curves.back().points; // of the largest allowance
+    const std::vector<Vec2>& faces = chart.curves.back().points; // for the largest allowance
     ASSERT_EQ(faces.size(), 120U);
     for (std::size_t block = 20; block < faces.size(); block += 20)
         EXPECT_LE(faces[block - 1].y, faces[block - 2].y) << "block " << block;
     for (std::size_t k = 0; k + 1 < faces.size(); ++k) {
         if ((k + 2) % 20 !=
-            0) { // between two moments regions only become dirty; borders may hide a few faces
+            0) { // between two decimations regions only become dirty; borders may hide a few triangles
             EXPECT_GE(faces[k + 1].y, faces[k].y - 1) << "block " << k + 2;
         }
     }
@@ -119,7 +119,7 @@ TEST(Figure12, FacesGrowWithThePeriodWhereOneDividesTheOther) {
                                     })
             ->count.faces;
     };
-    // Every moment of the longer period is one of the shorter: at no block it shows fewer dirty regions.
+    // Every decimation of the longer period is also one of the shorter, so it never has fewer dirty regions.
     EXPECT_LT(facesOf(1), facesOf(5));
     EXPECT_LT(facesOf(5), facesOf(20));
     EXPECT_LT(facesOf(20), facesOf(100));

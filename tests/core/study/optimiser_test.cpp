@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The choice against an exhaustive sweep of counts.
+// Compares the choice with an exhaustive sweep of counts.
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST_P(Choice, OrdersThePointsAsTheirCountsDo) {
     ASSERT_TRUE(rehearsal);
     const auto counted = countAll(m_job, m_base, *rehearsal);
     ASSERT_TRUE(counted);
-    // Points that differ by more than a tenth must come in the right order.
+    // Points that differ by more than a tenth must be ranked correctly.
     for (const Forecast& a : rehearsal->forecasts)
         for (const Forecast& b : rehearsal->forecasts) {
             const double costA = pointOf(*counted, a).seconds;

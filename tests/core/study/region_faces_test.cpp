@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles told from those of another region size, against regions whose triangles are known.
+// Triangle counts estimated from another region size, compared with regions whose triangles are known.
 #include <gtest/gtest.h>
 
 #include "core/study/region_faces.h"
@@ -13,7 +13,7 @@ RegionMeshPtr meshOf(std::size_t triangles) {
     return std::make_shared<const RegionMesh>(std::move(mesh));
 }
 
-/// A surface with these triangles per region; 0: not decimated.
+/// A surface with the given number of triangles per region; 0: not decimated.
 SurfaceSnapshot surfaceOf(const RegionGrid& grid, const std::vector<std::size_t>& triangles) {
     SurfaceSnapshot surface;
     surface.grid = grid;
@@ -24,11 +24,12 @@ SurfaceSnapshot surfaceOf(const RegionGrid& grid, const std::vector<std::size_t>
     return surface;
 }
 
-// 16 × 4 cells: sixteen regions of 2 × 2, and four of 4 × 4 over them.
+// 16 × 4 cells: sixteen regions of 2 × 2, and four of 4 × 4 that cover them.
 const RegionGrid kSmall(17, 5, 2);
 const RegionGrid kLarge(17, 5, 4);
 
-/// The small regions have 2 triangles uncut; now each of the four 2 × 2 of a large one has so many more.
+/// The small regions have 2 triangles when uncut; each of the four within a large one has the given number
+/// more.
 RegionFaces referenceWith(const std::vector<std::size_t>& beyondPerLarge) {
     std::vector<std::size_t> triangles;
     std::vector<std::size_t> touched;
@@ -46,12 +47,12 @@ TEST(RegionFaces, CountsTheShareOfAnAreaByItsCells) {
     EXPECT_DOUBLE_EQ(reference.beyondUncut(kLarge.points(0)), 16);
     EXPECT_DOUBLE_EQ(reference.beyondUncut(kLarge.points(1)), 0);
     EXPECT_DOUBLE_EQ(reference.beyondUncut({0, 0, 2, 5}), 4);  // half of two regions
-    EXPECT_DOUBLE_EQ(reference.beyondUncut({0, 0, 2, 2}), 1);  // a cell
-    EXPECT_DOUBLE_EQ(reference.beyondUncut({7, 0, 10, 3}), 4); // half of one with 8, half of one with 0
+    EXPECT_DOUBLE_EQ(reference.beyondUncut({0, 0, 2, 2}), 1);  // one cell
+    EXPECT_DOUBLE_EQ(reference.beyondUncut({7, 0, 10, 3}), 4); // half of a region with 8, half of one with 0
 }
 
 TEST(RegionFaces, ReportsRegionsThatWereNotDecimated) {
-    // Half as many as the small regions have: one region shows it, the others follow.
+    // Half as many as the small regions have: one region shows it, and the others are scaled accordingly.
     const RegionFaces reference = referenceWith({4, 1, 6, 0});
     RegionFaces faces(kLarge, {2, 2, 2, 2});
     const std::vector<std::size_t> touched{0, 1, 2, 3};
@@ -61,7 +62,7 @@ TEST(RegionFaces, ReportsRegionsThatWereNotDecimated) {
 }
 
 TEST(RegionFaces, LearnsTheFactorFromTheRegionsThatChanceChose) {
-    // Region 1 was decimated because the last block touched it, and stands for no other.
+    // Region 1 was decimated because the last block touched it, so it does not represent others.
     const RegionFaces reference = referenceWith({4, 4, 4, 4});
     RegionFaces faces(kLarge, {2, 2, 2, 2});
     const std::vector<std::size_t> touched{0, 1, 2};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tests of forecasts rehearse: random programs under a method.
+// The random programs that tests of forecasts use, by method.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Rehearsed {
     std::uint_fast32_t seed;
 };
 
-/// `all` programs from the seed `first`, or the share of them that the build tries.
+/// `all` programs from the seed `first`, or the share of them that this build runs.
 inline std::vector<Rehearsed> rehearsed(DecimationMethod method, std::uint_fast32_t first, int all) {
     std::vector<Rehearsed> some;
     for (int k = 0; k < roundsOf(all); ++k)

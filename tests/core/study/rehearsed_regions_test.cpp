@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a rehearsal measures, on a machine whose costs are known.
+// What a rehearsal measures on a machine with known costs.
 #include <gtest/gtest.h>
 
 #include "core/simulation/run/block_cutter.h"
@@ -18,7 +18,7 @@ struct Rehearsed {
     std::unique_ptr<RehearsedRegions> size;
 };
 
-/// A program cut and sampled, as a rehearsal does it.
+/// Cuts and samples a program like a rehearsal.
 Rehearsed rehearsed(DecimationMethod method, int cells, std::uint_fast32_t seed) {
     const auto program = programOf(randomProgram(seed, kBlocks));
     const auto setup = smallSetup();
@@ -54,8 +54,8 @@ struct Case {
 };
 class KnownMachine : public testing::TestWithParam<Case> {};
 
-/// The samples must tell what a moment costs from what a region costs and what a triangle costs. Batches of
-/// one region each, as large regions had, cannot.
+/// The samples must separate the cost of a decimation, of a region and of a triangle. Batches of one region
+/// each, as for large regions before, cannot do that.
 TEST_P(KnownMachine, IsRecoveredFromTheWorkSampled) {
     const auto [method, cells, seed] = GetParam();
     const Rehearsed run = rehearsed(method, cells, seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The trace of all schedules at once against one straight run a schedule.
+// Compares the trace of all schedules at once with one direct run per schedule.
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@
 namespace proveout {
 namespace {
 
-/// Triangles of a region that was decimated: any number will do.
+/// Triangles of a decimated region: an arbitrary number.
 double facesAfter(std::size_t touches) {
     return 10 + static_cast<double>(touches);
 }
 
 TEST(ScheduleTrace, ByHand) {
-    // Two regions of 2 × 2 cells, 8 triangles each. Region 0 is touched in blocks 2 and 3, region 1 in
-    // block 3.
+    // Two regions of 2 × 2 cells, 8 triangles each. Region 0 is touched in blocks 2 and 3, region 1 in block
+    // 3.
     const std::vector<int> periods{2, -1};
     ScheduleTrace trace(RegionGrid(5, 3, 2), periods, {2, 2});
     const std::vector<std::vector<std::size_t>> touched{{}, {0}, {0, 1}, {}};
@@ -28,8 +28,8 @@ TEST(ScheduleTrace, ByHand) {
     EXPECT_EQ(trace.touchedSinceSample(), (std::vector<std::size_t>{0, 1}));
     trace.sample(std::vector<double>{4, 6});
 
-    // Period 2: block 1 clean 2 + 2; block 2: region 0 decimated with 1 of its 2 touches: 3, + 2;
-    // block 3: both dirty: 8 + 8; block 4: decimated: 4 + 6.
+    // Period 2: block 1 clean 2 + 2; block 2: region 0 decimated after 1 of its 2 touches: 3, + 2; block 3:
+    // both dirty: 8 + 8; block 4: decimated: 4 + 6.
     const WorkCount two = trace.count(0);
     EXPECT_EQ(two.frames, 4U);
     EXPECT_EQ(two.faces, 4U + 5U + 16U + 10U);
@@ -39,7 +39,7 @@ TEST(ScheduleTrace, ByHand) {
     EXPECT_EQ(two.facesMade, 4U + 3U + 10U);
     EXPECT_EQ(two.regionsShown, 8U);
 
-    // Once at the start: dirty from the first touch on.
+    // Decimated once at the start: dirty from the first touch on.
     const WorkCount once = trace.count(1);
     EXPECT_EQ(once.faces, 4U + 10U + 16U + 16U);
     EXPECT_EQ(once.moments, 1U);
@@ -50,7 +50,7 @@ TEST(ScheduleTrace, ByHand) {
 TEST(ScheduleTrace, ARegionNotTouchedSinceASampleKeepsItsTriangles) {
     const std::vector<int> periods{4};
     ScheduleTrace trace(RegionGrid(3, 3, 2), periods, {2});
-    trace.block(std::vector<std::size_t>{0}); // dirty over the sample
+    trace.block(std::vector<std::size_t>{0}); // dirty across the sample
     trace.block({});
     trace.sample(std::vector<double>{facesAfter(1)});
     trace.block({});
@@ -84,8 +84,8 @@ TEST_P(Forecasts, CountWhatStraightRunsCount) {
         EXPECT_EQ(forecast.count.moments, counted.moments);
         EXPECT_EQ(forecast.count.startRegions, counted.startRegions);
         EXPECT_EQ(forecast.count.regionsDecimated, counted.regionsDecimated);
-        // Triangles are sampled, and those of larger regions told from the smallest: of twelve programs the
-        // worst forecast was 9 % off, whichever way the last digits of heights were rounded.
+        // Triangles are sampled, and those of larger regions are estimated from the smallest: the worst
+        // forecast of twelve programs was 9 % off, however the last digits of heights were rounded.
         const auto near = [](std::uint64_t a, std::uint64_t b) { return double(a) / double(b); };
         EXPECT_NEAR(near(forecast.count.faces, counted.faces), 1, 0.1);
         EXPECT_NEAR(near(forecast.count.facesMade, counted.facesMade), 1, 0.15);

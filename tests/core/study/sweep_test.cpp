@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts of a run against the simulation walked by hand; what a sweep must keep.
+// Compares the counts of a run with a simulation stepped by hand; and checks what a sweep must preserve.
 #include <gtest/gtest.h>
 #include <set>
 
@@ -25,12 +25,12 @@ DecimationParameters parametersOf(int region, int period, double allowance = 0.0
     return parameters;
 }
 
-/// The definition: every mesh that was not there a block before was made.
+/// The definition: every mesh that did not exist one block before was created.
 WorkCount countedByHand(const StudyJob& job, const DecimationParameters& parameters) {
     const auto simulation = Simulation::create(job.program, job.setup, parameters).value();
     WorkCount count;
     std::set<const RegionMesh*> seen;
-    std::vector<RegionMeshPtr> alive; // so that no address is used twice
+    std::vector<RegionMeshPtr> alive; // so that no address is reused
     const auto look = [&](const SurfaceSnapshot& surface) {
         std::uint64_t made = 0;
         for (std::size_t region = 0; region < surface.meshes.size(); ++region)
@@ -83,7 +83,7 @@ TEST(RunStudy, StopsAtTheBlockAskedFor) {
     EXPECT_EQ(run->count.frames, 33U);
 }
 
-/// Counts how it is called, and costs what the test says.
+/// Counts its calls, and returns the cost set by the test.
 class CountingDrawing final : public DrawCost {
 public:
     int begun = 0;
@@ -100,7 +100,7 @@ TEST(RunStudy, ChargesDrawingForEveryBlock) {
     const auto run = runStudy(randomJob(), {parametersOf(8, 20)}, &drawing);
     ASSERT_TRUE(run);
     EXPECT_EQ(drawing.begun, 1);
-    EXPECT_EQ(drawing.drawn, 1 + kBlocks); // the uncut stock too
+    EXPECT_EQ(drawing.drawn, 1 + kBlocks); // including the uncut stock
     EXPECT_DOUBLE_EQ(run->seconds.draw, 2 * (1 + kBlocks));
     EXPECT_DOUBLE_EQ(run->seconds.upload, 0.25 * (1 + kBlocks));
 }

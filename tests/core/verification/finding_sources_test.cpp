@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing is told outside of the table: read from the sources of the program themselves.
+// Every finding must come from the table; checked in the sources of the program.
 #include <cstddef>
 #include <regex>
 #include <set>
@@ -60,7 +60,7 @@ TEST(FindingSources, NothingIsReportedWithoutARow) {
     EXPECT_EQ(tops, (std::set<std::string>{"app", "core", "ui"}));
 }
 
-/// A finding is recognised by its row (hasIdOf()): a copy of its id would go on living after it.
+/// A finding must be recognised by its row (hasIdOf()): a copy of its id would survive its removal.
 TEST(FindingSources, NoIdIsWrittenOutsideOfTheRows) {
     static const std::regex kQuoted(R"re("([a-z0-9]+(-[a-z0-9]+)+)"|\bid\b[^;\n]*(with\(|==) ?"[a-z-]+")re");
     static const std::regex kComment(R"(//[^\n]*)");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of findings, row by row.
+// The table of findings, row by row.
 #include "core/verification/findings/findings.h"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ TEST(Findings, HaveShortTitles) {
     });
 }
 
-/// A placeholder, a quotation or a code may begin a sentence; what it ends with may come as an argument.
+/// A sentence may begin with a placeholder, a quotation or a code; its end may come from an argument.
 bool isSentence(std::string_view text) {
     const bool begins = !text.empty() && (text[0] < 'a' || text[0] > 'z');
     return begins && (text.ends_with(".") || text.ends_with("?") || text.ends_with(": {}"));
@@ -88,7 +88,8 @@ TEST(Findings, AreSentences) {
     });
 }
 
-/// What refuses input says itself which values are possible, and a count of others has no remedy of its own.
+/// Messages that refuse input already state which values are possible, and a count of other messages has no
+/// remedy of its own.
 bool needsHint(const FindingTable& table, const FindingRow& row) {
     return !table.refusesInput && row.severity >= Severity::warning &&
            row.severityRule != SeverityRule::worstOmitted &&

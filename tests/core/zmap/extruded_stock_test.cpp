@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines against closed forms.
+// Compares outlines with closed forms.
 #include "core/zmap/extruded_stock.h"
 
 #include <cmath>
@@ -66,20 +66,20 @@ TEST(ExtrudedStock, PolygonHasItsAreaAndHolesAreNoMaterial) {
     EXPECT_NEAR(made({triangle}, 1, 0.05).volume(), 1400, 1400 * 0.002);
     const OutlineLoop hole = loopOf({{20, 15}, {30, 15}, {30, 25}, {20, 25}});
     EXPECT_NEAR(made({triangle, hole}, 1, 0.05).volume(), 1300, 1300 * 0.003);
-    // Neither the order nor the sense of the loops matters.
+    // Neither the sequence nor the orientation of the loops matters.
     const OutlineLoop back(hole.rbegin(), hole.rend());
     EXPECT_EQ(made({back, triangle}, 1, 0.05).volume(), made({triangle, hole}, 1, 0.05).volume());
 }
 
 TEST(ExtrudedStock, ArcsOfEitherSenseHaveTheirArea) {
-    // A square with sides of 20, its upper side an arc that bulges outwards or inwards by half a circle.
+    // A square with sides of 20 whose upper side is a half circle, outwards or inwards.
     for (const double bulge : {1.0, -1.0}) {
         OutlineLoop loop = loopOf({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
         loop[2].bulge = bulge;
         const double area = 400 + bulge * kPi * 100 / 2;
         EXPECT_NEAR(made({loop}, 1, 0.05).volume(), area, area * 0.003) << bulge;
     }
-    // A quarter of a circle in each corner: a rounded square.
+    // A quarter circle in each corner: a rounded square.
     const double quarter = std::tan(kPi / 8);
     OutlineLoop rounded;
     const Vec2 corners[] = {{5, 0}, {25, 0}, {30, 5}, {30, 25}, {25, 30}, {5, 30}, {0, 25}, {0, 5}};
@@ -170,14 +170,14 @@ TEST(ExtrudedStock, OutlinesThatCrossThemselvesAreRefusedWithThePlace) {
         << "through a level side";
     EXPECT_TRUE(crosses({loopOf({{0, 0}, {20, 0}, {20, 10}, {0, 10}}), loopOf({{15, 3}, {25, 5}, {15, 7}})}));
     EXPECT_TRUE(crosses({circleOutline(20), {{{9, 10}, 1}, {{29, 10}, 1}}}));
-    // What only touches is as good as before.
+    // Loops that only touch are accepted.
     EXPECT_FALSE(
         crosses({loopOf({{0, 0}, {20, 0}, {20, 10}, {0, 10}}), loopOf({{15, 3}, {20, 5}, {15, 7}})}));
     EXPECT_FALSE(crosses({circleOutline(20), {{{5, 10}, 1}, {{20, 10}, 1}}}));
     EXPECT_FALSE(crosses({loopOf({{0, 0}, {10, 0}, {10, 0}, {10, 5}, {20, 5}, {10, 5}, {10, 10}, {0, 10}})}));
 }
 
-/// Against every side with every other one.
+/// Checks every side against every other one.
 bool crossesByBruteForce(const OutlineLoop& loop) {
     const auto turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -201,8 +201,8 @@ TEST(ExtrudedStock, CrossingsAreFoundAsByBruteForce) {
     std::mt19937 random(seed);
     int crossing = 0;
     for (int round = 0; round < roundsOf(3000); ++round) {
-        // Round the middle, so that many cross themselves and many do not; on whole places, so that sides are
-        // level, upright and touch.
+        // Points around the centre, so that many loops cross themselves and many do not; integer positions,
+        // so that sides are horizontal, vertical, and touch.
         OutlineLoop loop;
         const std::size_t count = 4 + random() % 9;
         for (std::size_t k = 0; k < count; ++k) {

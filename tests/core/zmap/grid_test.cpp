@@ -40,7 +40,7 @@ TEST(MakeGrid, RefusesStocksThatAreNone) {
         EXPECT_FALSE(makeGrid(stock, 1).has_value());
 }
 
-/// Of such a stock even the coarsest grid has millions of points: a mesh file of a kilobyte took gigabytes.
+/// Even the coarsest grid of such a stock has millions of points: a mesh file of a kilobyte needed gigabytes.
 TEST(MakeGrid, RefusesStocksThatAreTooNarrow) {
     for (const StockBox& stock : {StockBox{{0, 0, 0}, 1e7, 1, 20}, StockBox{{0, 0, 0}, 0.01, 2000, 20}}) {
         const auto grid = makeGrid(stock, 1);

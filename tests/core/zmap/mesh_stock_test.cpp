@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes against the slowest way: every vertical through every triangle.
+// Compares meshes with the slowest method: every vertical line with every triangle.
 #include "core/zmap/mesh_stock.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void addBox(StockMesh& mesh, const Vec3& lo, const Vec3& hi) {
     }
 }
 
-/// A closed body round a centre; `radiusAt` is asked for each vertex.
+/// A closed body around a centre; `radiusAt` is called for each vertex.
 template<class RadiusAt>
 StockMesh starBody(const Vec3& centre, int rings, int slices, RadiusAt&& radiusAt) {
     StockMesh mesh;
@@ -54,7 +54,7 @@ StockMesh starBody(const Vec3& centre, int rings, int slices, RadiusAt&& radiusA
     return mesh;
 }
 
-/// The z of the plane of a triangle over a place that it covers in plan.
+/// The z of a triangle's plane at a position that it covers in plan.
 std::optional<double> hit(const StockMesh& mesh, const std::array<std::uint32_t, 3>& triangle, double x,
                           double y) {
     const Vec3 a = mesh.vertices[triangle[0]];
@@ -75,7 +75,7 @@ std::optional<double> hit(const StockMesh& mesh, const std::array<std::uint32_t,
 
 struct Cast {
     double top = -1e30;
-    double air = 0; ///< under the top, down to the floor
+    double air = 0; ///< below the top, down to the floor
 };
 
 Cast castRay(const StockMesh& mesh, double x, double y, double floorZ) {
@@ -145,7 +145,7 @@ TEST(MeshStock, SphereHasItsVolumeAboveAndItsUndercutBelow) {
     const double r = 10;
     const StockMesh mesh = starBody({0, 0, 0}, 120, 240, [&] { return r; });
     const UncutStock uncut = uncutOf(mesh, 0.1);
-    // Material of the map: the upper half and the cylinder down to the floor.
+    // Material in the z-map: the upper half and the cylinder down to the floor.
     const double held = 2.0 / 3 * kPi * r * r * r + kPi * r * r * r;
     EXPECT_NEAR(uncut.zmap.snapshot().volume() / held, 1, 0.003);
     ASSERT_EQ(idsOf(uncut.findings), "stock-undercut ");
@@ -194,7 +194,7 @@ TEST(MeshStock, InsideOutIsTheSame) {
 TEST(MeshStock, OpenMeshIsReportedAndUnverified) {
     StockMesh mesh;
     addBox(mesh, {0, 0, 0}, {40, 30, 20});
-    mesh.triangles.erase(mesh.triangles.begin()); // of the bottom
+    mesh.triangles.erase(mesh.triangles.begin()); // opens the bottom
     const UncutStock uncut = uncutOf(mesh, 0.5);
     ASSERT_FALSE(uncut.findings.empty());
     EXPECT_EQ(uncut.findings.front().id, std::string("stock-mesh-open"));
@@ -251,7 +251,7 @@ TEST(MeshStock, RefusesWhatHasNoVolume) {
               std::string("stock-mesh-far"));
 }
 
-/// They may be the reason: a part in metres has no volume on any grid.
+/// The warnings may be the reason: a part in metres has no volume on any grid.
 TEST(MeshStock, KeepsTheWarningsOfAMeshThatItRefuses) {
     Diagnostic suspect;
     suspect.id = "stl-size-suspect";

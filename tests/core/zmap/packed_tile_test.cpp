@@ -12,7 +12,7 @@
 namespace proveout {
 namespace {
 
-/// Bit for bit, so that -0 is not 0 and a number that is none equals itself.
+/// Compares bit for bit, so that -0 differs from 0 and NaN equals itself.
 void expectKept(const Tile& tile) {
     Tile again;
     unpack(packed(tile), again);
@@ -31,7 +31,7 @@ TEST(PackedTile, IsTheTileAgain) {
     expectKept(tile);
     for (int i = 0; i < 200; ++i) {
         for (float& height : tile.heights)
-            height = std::bit_cast<float>(static_cast<std::uint32_t>(random())); // any bits at all
+            height = std::bit_cast<float>(static_cast<std::uint32_t>(random())); // any bit pattern
         tile.loweredPoints = static_cast<std::uint32_t>(random());
         expectKept(tile);
     }
@@ -45,7 +45,7 @@ TEST(PackedTile, TakesLittleOfASmoothSurface) {
     Tile uncut;
     uncut.heights.fill(0);
     EXPECT_LT(packed(uncut).size(), 100U);
-    Tile cut; // grooves of a ball
+    Tile cut; // grooves of a ball-end mill
     for (int j = 0; j < Tile::kSize; ++j) {
         for (int i = 0; i < Tile::kSize; ++i) {
             const double across = std::fmod(i * 0.1 + j * 0.03, 1.0) - 0.5;

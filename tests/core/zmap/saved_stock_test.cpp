@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSpacing = 0.7;
 
-/// Heights of any size, some places empty.
+/// Random heights, some points empty.
 ZMapSnapshot randomMap(std::uint_fast32_t seed, const StockBox& stock, double spacing = kSpacing) {
     std::mt19937 random(seed);
     ZMap zmap(stock, makeGrid(stock, spacing).value());
@@ -27,7 +27,7 @@ ZMapSnapshot randomMap(std::uint_fast32_t seed, const StockBox& stock, double sp
     return zmap.snapshot();
 }
 
-/// Either full or empty, so that nothing is under anything.
+/// Points are either full or empty, so there are no undercuts.
 ZMapSnapshot prism(std::uint_fast32_t seed, const StockBox& stock) {
     std::mt19937 random(seed);
     ZMap zmap(stock, makeGrid(stock, kSpacing).value());
@@ -131,7 +131,7 @@ TEST(SavedStock, WhatWasCutIsAirUnderTheFlippedStock) {
     EXPECT_NEAR(std::stod(reported.arguments[0]), 300 * 0.25 * 4, 1e-9);
     EXPECT_NEAR(std::stod(reported.arguments[1]), 4, 1e-9);
     EXPECT_NEAR(std::stod(reported.arguments[4]), -6, 1e-9);
-    // Flipped about X the pocket lies from Y30-14.5 to Y30-10; then a quarter to the left: X from 40-… on.
+    // Flipped around X the pocket is from Y30-14.5 to Y30-10; then a quarter turn to the left: from X40-… on.
     const double x = std::stod(reported.arguments[2]);
     const double y = std::stod(reported.arguments[3]);
     EXPECT_TRUE(x >= 30 - 20 && x <= 30 - 15) << x;
@@ -153,7 +153,7 @@ TEST(SavedStock, IsAsHighAsWhatIsLeftWhenFlipped) {
     EXPECT_DOUBLE_EQ(uncut.zmap.snapshot().volume(), 20 * 20 * 8.5);
 }
 
-/// The surface between the points.
+/// The surface interpolated between the points.
 double bilinear(const ZMapSnapshot& map, double x, double y) {
     const Grid& grid = map.grid();
     const double u = std::clamp((x - grid.x0) / grid.hx, 0.0, grid.nx - 1.0);

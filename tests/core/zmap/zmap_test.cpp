@@ -24,7 +24,7 @@ std::vector<float> allHeights(const ZMapSnapshot& moment) {
     return heights;
 }
 
-/// Sets a height as the cutting kernels do.
+/// Sets a height like the cutting kernels.
 void write(ZMap& zmap, int i, int j, float height) {
     const auto tile = static_cast<std::size_t>(j / Tile::kSize * zmap.tilesX() + i / Tile::kSize);
     zmap.tileForWriting(tile).at(i % Tile::kSize, j % Tile::kSize) = height;

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Run by cmake -P with SOURCE (of the repository) and BINARY (a folder of its own): finds libraries that this computer
-# has in each of the ways in which others have them.
+# Run by cmake -P with SOURCE (of the repository) and BINARY (a folder of its own): finds the libraries of
+# this computer in each of the ways in which they can be installed.
 set(project "${SOURCE}/tests/resources/cmake/project")
 set(zstd "zstd LEAST 1.0 TARGET zstd::libzstd_shared PACKAGE libzstd-dev ALSO zstd::libzstd CONFIGS zstd \
 MODULES libzstd HEADER zstd.h LIBRARIES zstd VERSION_MACRO ZSTD_VERSION")
 set(no_package -DCMAKE_DISABLE_FIND_PACKAGE_zstd=ON)
 set(no_module -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
 
-# expect(CASE LIBRARY TEXT [option…]): configures a project that needs the library; what is printed has the text.
+# expect(CASE LIBRARY TEXT [option…]): configures a project that needs the library; its output must contain the text.
 function(expect case library text)
   file(REMOVE_RECURSE "${BINARY}/${case}")
   execute_process(COMMAND "${CMAKE_COMMAND}" -S "${project}" -B "${BINARY}/${case}"
@@ -19,7 +19,7 @@ function(expect case library text)
   endif()
 endfunction()
 
-# works(CASE TEXT [option…]): the library is usable too.
+# works(CASE TEXT [option…]): the library must also be usable.
 function(works case text)
   expect(${case} "${zstd}" "${text}" -DPROGRAM=ON ${ARGN})
   execute_process(COMMAND "${CMAKE_COMMAND}" --build "${BINARY}/${case}" OUTPUT_VARIABLE printed ERROR_VARIABLE printed
@@ -42,7 +42,7 @@ expect(old-plain "${new_zstd}" "${old}" ${no_package} ${no_module})
 expect(missing "nothing LEAST 1.2 TARGET no::thing PACKAGE libnothing-dev CONFIGS nothing MODULES nothing \
 HEADER nothing.h LIBRARIES nothing"
   "nothing was not found; version 1.2 or newer is needed. .*On Debian 12 or newer: apt install libnothing-dev")
-# A library of the right name that was built for something else.
+# A library with the right name that was built against another version of Qt.
 file(MAKE_DIRECTORY "${BINARY}/made")
 file(WRITE "${BINARY}/made/libwrong.so" "needs libQt5Widgets.so.5")
 file(WRITE "${BINARY}/made/wrong.h" "#define WRONG_VERSION 0x020100\n")
@@ -51,7 +51,7 @@ expect(wrong "${wrong} WITHOUT libQt5" "wrong was not found" "-DCMAKE_PREFIX_PAT
   "-DCMAKE_INCLUDE_PATH=${BINARY}/made" "-DCMAKE_LIBRARY_PATH=${BINARY}/made")
 expect(right "${wrong} WITHOUT libQt4" "Found wrong: 2.1.0 " "-DCMAKE_INCLUDE_PATH=${BINARY}/made"
   "-DCMAKE_LIBRARY_PATH=${BINARY}/made")
-# The forms in which headers tell their versions.
+# The formats in which headers define their versions.
 foreach(form "9.8.7:FORM_VERSION_STR \"9.8.7\"" "9.8.7:FORM_VERSION 90807" "9.8.7:FORM_VERSION\\t0x090807"
     "9.8.7:FORM_VERSION_MAJOR\\t9\n#define FORM_VERSION_MINOR 8\n#  define FORM_VERSION_RELEASE 7"
     "version not known:SOMETHING_ELSE 1")

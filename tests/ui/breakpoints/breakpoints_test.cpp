@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Breakpoints and the machine's time, from the panel to the frame that stops.
+// Breakpoints and the machine time, from the panel to the frame at which playback stops.
 #include <limits>
 #include <memory>
 
@@ -68,7 +68,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
         QCOMPARE(session.simulation().block(), std::size_t{120});
         QCOMPARE(stops, std::vector<std::size_t>{120});
-        session.playback().play(); // goes on from there
+        session.playback().play(); // continues from there
         QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
         QCOMPARE(session.simulation().block(), session.program().blockCount());
         QCOMPARE(stops.size(), std::size_t{1});
@@ -83,7 +83,7 @@ private slots:
         session.breakpoints().toggle(session.program().current()->blockLine(50));
         Setup setup = session.job().setup();
         setup.automaticGrid = false;
-        setup.spacing = 2; // another map is loaded
+        setup.spacing = 2; // loads another z-map
         QVERIFY(session.job().setSetup(setup).has_value());
         session.playback().setSpeed(std::numeric_limits<double>::infinity());
         session.playback().play();
@@ -100,7 +100,7 @@ private slots:
             return linesOf(session);
         };
         using Lines = std::vector<std::uint32_t>;
-        QCOMPARE(after(5, true, 2), (Lines{3, 7, 11})); // whole lines before line 5
+        QCOMPARE(after(5, true, 2), (Lines{3, 7, 11})); // complete lines before line 5
         QCOMPARE(after(5, false, 2), (Lines{3, 5, 11}));
         QCOMPARE(after(4, true, -1), (Lines{3, 4, 8}));
         QCOMPARE(after(5, true, -1), (Lines{3, 8}));  // line 5 itself
@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(kind->count(), static_cast<int>(breakpointRows().size()));
         kind->setCurrentIndex(static_cast<int>(BreakpointKind::toolChange));
         add->click();
-        add->click(); // the same again is not two
+        add->click(); // an equal breakpoint is not added twice
         kind->setCurrentIndex(static_cast<int>(BreakpointKind::condition));
         condition->setText("Z < -20 & T == 3");
         add->click();
@@ -192,7 +192,8 @@ private slots:
         QVERIFY(session.breakpoints().all().empty());
     }
 
-    /// The same text under another name keeps its breakpoints, and has them under that name from then on.
+    /// A text saved under another name keeps its breakpoints, and from then on they are stored under that
+    /// name.
     void savingUnderAnotherNameTakesThemAlong() {
         const QString first = m_folder->filePath(QStringLiteral("first.nc"));
         const QString second = m_folder->filePath(QStringLiteral("second.nc"));
@@ -203,7 +204,7 @@ private slots:
             session.document().newFile();
             session.document().applyEdit(0, 0, "G21 G90\nG0 X0\nX5\n");
             session.breakpoints().set({atLine(2)});
-            QVERIFY(session.document().saveAs(first)); // it had no name
+            QVERIFY(session.document().saveAs(first)); // it had no name before
             QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{2}));
             session.breakpoints().set({atLine(2), atLine(3, false)});
             QVERIFY(session.document().saveAs(second));
@@ -215,7 +216,7 @@ private slots:
             session.document().newFile();
             QVERIFY(session.breakpoints().all().empty());
             session.breakpoints().set({atLine(1)});
-            session.document().newFile(); // another one, although it has no name either
+            session.document().newFile(); // another document, although it has no name either
             QVERIFY(session.breakpoints().all().empty());
         }
         Session session;

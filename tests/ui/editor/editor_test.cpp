@@ -22,7 +22,7 @@
 namespace proveout {
 namespace {
 
-/// One letter a byte: . plain, c comment, G code, ? unknown code, x coordinate, f machine, n label.
+/// One letter per byte: . plain, c comment, G code, ? unknown code, x coordinate, f machine, n label.
 std::string styles(std::string_view line) {
     std::string letters = styleLine(line, DialectId::linuxcnc);
     for (char& style : letters)
@@ -63,7 +63,7 @@ private slots:
         QVERIFY(editor.textBytes().empty());
         editor.goTo(1000, 3);
         QTRY_VERIFY_WITH_TIMEOUT(!editor.isFilling(), kOpeningPatience);
-        QCOMPARE(loaded.count(), 2); // the empty one before
+        QCOMPARE(loaded.count(), 2); // including the empty text before
         QVERIFY(editor.textBytes() == bytes);
         QCOMPARE(editor.caretLine(), 1000);
         QVERIFY(!editor.isReadOnly());
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(loaded.count(), 3);
         QCOMPARE(QByteArray(editor.textBytes().data()), QByteArray("G0 X1\n"));
         QVERIFY(!editor.isReadOnly());
-        editor.load(longOne); // and it may end while it is filled
+        editor.load(longOne); // destroyed while it is being filled
     }
 
     void marksOfProblemsGoWhereTheTextGoes() {
@@ -160,7 +160,7 @@ private slots:
         session.document().newFile();
         EditorPanel panel(session);
         NcEditor& editor = panel.editor();
-        // What the editor shows and what the session holds stay one, through typing, pasting, undo and redo.
+        // The text in the editor and in the session must stay equal through typing, pasting, undo and redo.
         std::mt19937 random(7);
         const QStringList pieces{"G1 X10\n", "é", "(комментарий)", " ", "\n", "M30", "🙂"};
         for (int step = 0; step < 400; ++step) {
@@ -202,7 +202,7 @@ private slots:
                 });
         const std::string text = "(M\xFChle)\r\nG0 X1\r\n";
         editor.load(documentOf(text));
-        QVERIFY(edits.empty()); // loading is no edit
+        QVERIFY(edits.empty()); // loading is not an edit
         QCOMPARE(editor.lines(), 3);
         editor.setCursorPosition(1, 0);
         editor.insert(QStringLiteral("\u00e9"));
@@ -233,7 +233,7 @@ private slots:
             const long shown = editor.SendScintilla(QsciScintilla::SCI_LINESONSCREEN);
             QVERIFY(first <= line - 1 && line - 1 < first + shown);
             QCOMPARE(editor.caretLine(), 5);
-            QCOMPARE(editor.markerFindNext(0, 1 << 1), line - 1); // one line is marked, this one
+            QCOMPARE(editor.markerFindNext(0, 1 << 1), line - 1); // only this line is marked
         }
     }
 
@@ -251,7 +251,7 @@ private slots:
         QCOMPARE(editor.caretLine(), 4);
     }
 
-    /// A breakpoint is set there, and the simulation stays where it is.
+    /// The click sets a breakpoint, and the simulation does not move.
     void aClickInTheMarginChoosesNoLine() {
         NcEditor editor;
         editor.resize(400, 200);
@@ -293,14 +293,15 @@ private slots:
         QVERIFY(marks(1) != 0 && marks(2) != 0 && marks(3) != 0);
         QCOMPARE(marks(4), 0U);
         QVERIFY(marks(1) != marks(2) && marks(1) != marks(3) && marks(2) != marks(3));
-        QCOMPARE(std::popcount(marks(2)), 1); // the worst one
-        // The shapes differ, not the colours alone.
+        QCOMPARE(std::popcount(marks(2)), 1); // the most severe one
+        // The shapes differ too, not only the colours.
         const auto shape = [](const char* name) {
             return icon(QLatin1String(name)).pixmap(13, 13).toImage().convertToFormat(QImage::Format_Alpha8);
         };
         QVERIFY(shape("warning") != shape("error") && shape("warning") != shape("note") &&
                 shape("error") != shape("note"));
-        // The margin tells about all of its line, the text about the place, the rest nothing.
+        // The tooltip in the margin is about the whole line, that in the text about the position; elsewhere
+        // there is none.
         const auto tipAt = [&](int line, int x) {
             const long top = editor.SendScintilla(QsciScintilla::SCI_POINTYFROMPOSITION, 0UL,
                                                   editor.SendScintilla(QsciScintilla::SCI_POSITIONFROMLINE,
@@ -369,7 +370,8 @@ private slots:
             const QPoint inside(at(QsciScintilla::SCI_POINTXFROMPOSITION) + 2,
                                 at(QsciScintilla::SCI_POINTYFROMPOSITION) + 5);
             const QPoint place = editor.viewport()->mapTo(&editor, inside);
-            // The pointer is there, or a tip goes with the first motion that the system reports.
+            // Moves the pointer there, because a tooltip disappears with the next motion that the system
+            // reports.
             QCursor::setPos(editor.mapToGlobal(place));
             QTest::qWait(50);
             QHelpEvent event(QEvent::ToolTip, place, editor.mapToGlobal(place));
@@ -377,7 +379,7 @@ private slots:
         };
         const auto reports = [](const char* what) { return QToolTip::text().contains(QLatin1String(what)); };
         point("X[");
-        QVERIFY(reports("X: X coordinate (LinuxCNC)")); // at once; the value follows
+        QVERIFY(reports("X: X coordinate (LinuxCNC)")); // shown immediately; the value follows
         QTRY_VERIFY2(reports("<br>Value: 12.5 mm"), qPrintable(QToolTip::text()));
         point("#1+2");
         QTRY_VERIFY2(reports("#1: parameter (LinuxCNC)<br>Value: 10.5"), qPrintable(QToolTip::text()));
@@ -423,7 +425,7 @@ private slots:
         QVERIFY(!QToolTip::isVisible());
     }
 
-    /// Laying out such a line takes more than a second, at each paint.
+    /// Laying out such a line takes more than a second for each repaint.
     void longLinesAreCutOff() {
         QTemporaryDir folder;
         const QString path = folder.filePath("digits.nc");
@@ -448,7 +450,7 @@ private slots:
             reported =
                 reported || label->text().contains(QLatin1String("line 2 has more than 20,000 characters"));
         QVERIFY(reported);
-        // The text itself is whole.
+        // The text itself is complete.
         QVERIFY(session.document().text().text.size() > 1'060'000);
     }
 

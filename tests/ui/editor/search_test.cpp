@@ -36,7 +36,7 @@ std::vector<std::size_t> allOf(const std::string& text, const TextPattern& patte
     return found;
 }
 
-/// The same by the library's regular expressions: what must not stand before and behind, as look-aheads.
+/// The same with the regular expressions of the library, using look-ahead for the word boundaries.
 std::vector<std::size_t> byExpression(const std::string& text, const TextPattern& pattern) {
     std::string escaped;
     for (const char c : pattern.bytes)
@@ -142,7 +142,7 @@ private slots:
         QCOMPARE(editor.caretLine(), 1);
         QVERIFY(search.find(true));
         QCOMPARE(editor.caretLine(), 2);
-        QVERIFY(search.find(true)); // round the end
+        QVERIFY(search.find(true)); // wraps around at the end
         QCOMPARE(editor.caretLine(), 1);
         QVERIFY(search.find(false));
         QCOMPARE(editor.caretLine(), 2);
@@ -154,7 +154,7 @@ private slots:
         search.setPattern(QStringLiteral("X1"), false);
         QCOMPARE(search.replaceAll(QStringLiteral("X11")), 3);
         QCOMPARE(editor.text(), QStringLiteral("X11\nX11\nX2 X112\n"));
-        editor.undo(); // one step
+        editor.undo(); // a single step
         QCOMPARE(editor.text(), QStringLiteral("X1\nx1\nX2 X12\n"));
         search.setPattern(QStringLiteral("X1"), true);
         QCOMPARE(search.replaceAll(QString()), 2);
@@ -186,7 +186,7 @@ private slots:
         QTRY_COMPARE(tally->text(), QStringLiteral("3 of 3"));
         words->setChecked(true);
         QTRY_COMPARE(tally->text(), QStringLiteral("2 of 2"));
-        editor.insertAt(QStringLiteral("G2\n"), 0, 0); // live; it takes the selection away
+        editor.insertAt(QStringLiteral("G2\n"), 0, 0); // counted live; it clears the selection
         QTRY_COMPARE(tally->text(), QStringLiteral("3 found"));
         bar.find(true);
         QTRY_COMPARE(tally->text(), QStringLiteral("1 of 3"));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPatience = 20'000; ///< ms
 
-/// Nothing is wrong with it, once its tool is known.
+/// It has no problems once its tool is defined.
 const QByteArray kProgram =
     "G21 G90 G17\nT1 M6\nS1000 M3\nG43 H1\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nG0 Z5\nM30\n";
 
@@ -61,11 +61,11 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(bench.text(), QStringLiteral("No problems up to block 2 of 4."), kPatience);
         bench.session.playback().seek(4);
         QTRY_COMPARE_WITH_TIMEOUT(bench.text(), QStringLiteral("No problems found."), kPatience);
-        bench.session.playback().seek(1); // all of them have been looked at
+        bench.session.playback().seek(1); // all blocks have been checked
         QTRY_COMPARE_WITH_TIMEOUT(bench.session.simulation().block(), std::size_t{1}, kPatience);
         QTest::qWait(100);
         QCOMPARE(bench.text(), QStringLiteral("No problems found."));
-        // An edit before the end: what follows it is to be simulated again.
+        // An edit before the end: the part after it must be simulated again.
         bench.session.document().applyEdit(static_cast<std::size_t>(kProgram.indexOf("X10")), 3, "X12");
         QTRY_VERIFY_WITH_TIMEOUT(bench.text().startsWith(QStringLiteral("No problems up to block ")),
                                  kPatience);

@@ -27,7 +27,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLook = 30;            // ms between looks at what stands on top
+constexpr int kLook = 30;            // ms between checks of the topmost dialog or menu
 constexpr int kWheelStep = 120;      // eighths of a degree
 constexpr int kLongestDrag = 300;    // ms
 constexpr int kMostOnTop = 12;       // actions on a dialog or menu before it is closed
@@ -67,7 +67,7 @@ const auto& oneOf(const Table& table, int index) {
     return table[static_cast<std::size_t>(index)];
 }
 
-/// What is opened, edited and overwritten are copies.
+/// Only copies are opened, edited and overwritten.
 QStringList copyPrograms(const QString& folder) {
     QStringList files;
     const QDir source(QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples"));
@@ -95,7 +95,7 @@ QString named(const QWidget& widget) {
 
 } // namespace
 
-/// What the monkey can do, one row each.
+/// The actions of the monkey, one per row.
 struct Monkey::Act {
     const char* name;
     int weight;
@@ -120,7 +120,7 @@ Monkey::Monkey(std::uint32_t seed, QString folder)
     if (!m_log.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
         qFatal("no log in %s", qPrintable(m_folder));
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    // Queued: a timer does not fire while what it has called waits for the answer to a question.
+    // Queued, because a timer does not fire while its slot waits for the answer to a question.
     QObject::connect(
         &m_onTop, &QTimer::timeout, &m_onTop, [this] { workWhatIsOnTop(); }, Qt::QueuedConnection);
     m_onTop.start(kLook);
@@ -130,7 +130,7 @@ Monkey::Monkey(std::uint32_t seed, QString folder)
 Monkey::~Monkey() = default;
 
 void Monkey::restart() {
-    m_station.reset(); // before the next one: both have the same settings
+    m_station.reset(); // destroyed before the next one is created, because both use the same settings
     m_station = std::make_unique<Workstation>(false);
     m_station->window.files().open(anyFile());
 }
@@ -171,7 +171,7 @@ QString Monkey::anyFile() {
     return m_files.isEmpty() ? QString() : m_files.at(below(static_cast<int>(m_files.size())));
 }
 
-/// A widget of the topmost window, as likely a small one as a large one.
+/// A widget of the topmost window, with equal probability for small and large ones.
 QWidget* Monkey::target() {
     QWidget* top = QApplication::activePopupWidget();
     if (top == nullptr)
@@ -188,12 +188,12 @@ QWidget* Monkey::target() {
 
 namespace {
 
-/// Where on the widget's window a point of it is.
+/// A point of the widget in the coordinates of its window.
 QPoint inWindow(const QWidget& widget, QPoint place) {
     return widget.mapTo(widget.window(), place);
 }
 
-/// What a window does when a button or a key goes down may be its end: nothing comes up in it then.
+/// A press of a button or a key may destroy the window; it then gets no release.
 void clickAt(const QPointer<QWindow>& window, Qt::MouseButton button, Qt::KeyboardModifiers modifiers,
              QPoint place, int times) {
     for (; times > 0; --times) {
@@ -206,7 +206,7 @@ void clickAt(const QPointer<QWindow>& window, Qt::MouseButton button, Qt::Keyboa
 
 void hitKey(const QPointer<QWindow>& window, Qt::Key key, Qt::KeyboardModifiers modifiers,
             const QString& text = {}) {
-    // Without presses of the modifiers themselves, which Qt Test would send to a window that is gone.
+    // Without presses of the modifier keys themselves, which Qt Test would send to a destroyed window.
     if (window != nullptr)
         QTest::simulateEvent(window, true, key, modifiers, text, false);
     if (window != nullptr)
@@ -239,7 +239,7 @@ void Monkey::drag() {
     const Qt::MouseButton button = oneOf(kButtons, below(kButtons.size()));
     if (window == nullptr)
         return;
-    // Dragged text or tabs have an event loop of their own, which lasts until the button is let go.
+    // Dragged text or tabs run their own event loop until the button is released.
     const auto release = [&] {
         if (window != nullptr)
             QTest::mouseRelease(window, button, {}, at);
@@ -295,7 +295,7 @@ void Monkey::typeNumber() {
 
 void Monkey::triggerAction() {
     if (QApplication::activeModalWidget() != nullptr || QApplication::activePopupWidget() != nullptr)
-        return; // no user reaches the menus then
+        return; // a user could not reach the menus either
     const QList<QAction*> all = m_station->window.findChildren<QAction*>();
     QAction* action = all.at(below(static_cast<int>(all.size())));
     if (!action->isEnabled() || !action->isVisible() ||
@@ -317,7 +317,7 @@ void Monkey::chooseTab() {
     clickAt(bar->window()->windowHandle(), Qt::LeftButton, {}, inWindow(*bar, bar->tabRect(tab).center()), 1);
 }
 
-/// What other programs do to the files behind the window's back.
+/// Changes to files by other programs.
 void Monkey::changeFile() {
     const QString name = anyFile();
     const int way = below(4);
@@ -366,7 +366,7 @@ void Monkey::wait() {
     QTest::qWait(below(200));
 }
 
-/// Runs from the timer, also while a dialog or a menu waits in an event loop of its own.
+/// Called by the timer, also while a dialog or a menu runs its own event loop.
 void Monkey::workWhatIsOnTop() {
     QWidget* top = QApplication::activePopupWidget();
     if (top == nullptr)
@@ -388,7 +388,8 @@ void Monkey::workWhatIsOnTop() {
         pressKeys();
 }
 
-/// Keys and clicks could choose any file of this machine: only files of the test's folder are chosen here.
+/// Keys and clicks could select any file of this machine, so only files of the test's folder are selected
+/// here.
 void Monkey::workFileDialog(QFileDialog& dialog) {
     if (oneIn(3)) {
         note(QStringLiteral("reject file dialog"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random input to the real window: what a careless user, a cat on the keyboard and another program do at
-// once.
+// Random input to the real window, as from a careless user, a cat on the keyboard and another program at the
+// same time.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,18 @@ class QFileDialog;
 
 namespace proveout {
 
-/// Works the whole window by events that take the same way as those of a display: through windows, hit
-/// testing and shortcuts. The same seed makes the same choices; what they meet depends on timing as well.
-/// Thread: UI.
+/// Operates the whole window by events that are processed like those of a display: through windows, hit
+/// testing and shortcuts. Equal seeds give equal choices; their effect also depends on timing. Thread: UI.
 class Monkey {
 public:
-    /// `folder` holds the programs and jobs that are opened, saved and changed by others; the log of all that
-    /// was done is written there too, line by line, so that it survives a crash.
+    /// `folder` contains the programs and jobs that are opened, saved and changed by other programs. The log
+    /// of all actions is written there too, line by line, so that it survives a crash.
     Monkey(std::uint32_t seed, QString folder);
     ~Monkey();
 
-    /// One random action. Dialogs and menus that it opens are worked, and closed, from within.
+    /// One random action. Dialogs and menus that it opens are operated and closed too.
     void act();
-    /// Why the window is not as it must be between two actions; empty where it is.
+    /// Why the window is not in a valid state between two actions; empty if it is.
     [[nodiscard]] QString fault() const;
     [[nodiscard]] QString logFile() const { return m_log.fileName(); }
     [[nodiscard]] std::uint64_t actions() const { return m_actions; }
@@ -67,7 +66,7 @@ private:
     QStringList m_files;
     QFile m_log;
     QTimer m_onTop;
-    int m_patience = 0; ///< times that the present dialog or menu is still worked
+    int m_patience = 0; ///< how often the current dialog or menu is still operated
     std::uint64_t m_actions = 0;
     std::unique_ptr<Workstation> m_station;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A monkey works the real window. PROVEOUT_SEED and PROVEOUT_MONKEY_SECONDS choose what it does and for how
-// long.
+// A monkey test of the real window. PROVEOUT_SEED and PROVEOUT_MONKEY_SECONDS set its actions and its
+// duration.
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -21,7 +21,7 @@
 namespace proveout {
 namespace {
 
-constexpr int kSeconds = 30;    // where nothing else is asked for
+constexpr int kSeconds = 30;    // default duration
 constexpr int kLongestGap = 60; // seconds that an action may take at most, with sanitizers
 constexpr int kLinesOfLog = 25;
 
@@ -39,8 +39,8 @@ void printEndOfLog(const QString& name) {
         std::fprintf(stderr, "  %s\n", line.constData());
 }
 
-/// Ends the process where the window does not come back from an action: a debugger or the sanitizer then
-/// tells where it is.
+/// Aborts the process if the window does not return from an action, so that a debugger or the sanitizer shows
+/// where it is.
 class Watchdog {
 public:
     explicit Watchdog(QString log)
@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     QApplication::setQuitOnLastWindowClosed(false); // the monkey closes windows
-    // Qt Test ends a function after five minutes, whether the window answers or not.
+    // Qt Test aborts a function after five minutes, whether the window responds or not.
     qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(1000 * (proveout::secondsOfMonkey() + 600)));
     proveout::MonkeyTest test;
     return QTest::qExec(&test, argc, argv);

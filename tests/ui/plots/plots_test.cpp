@@ -63,7 +63,7 @@ void compare(const PlotView& view, const PlotInput& input) {
             QCOMPARE(view.value(series, row), view.spec().y(input, row, series));
 }
 
-/// Draws nothing, and counts the points of what it should draw.
+/// Draws nothing, and counts the points to be drawn.
 class CountingEngine : public QPaintEngine {
 public:
     using QPaintEngine::drawLines;
@@ -100,7 +100,7 @@ private:
 
 std::size_t valuesAsked = 0;
 
-/// The plot of faces, with every value that is asked for counted.
+/// The plot of triangle counts, which counts each value that is requested.
 PlotSpec countingFaces() {
     PlotSpec spec = plot("faces");
     spec.y = [](const PlotInput& input, std::size_t row, std::size_t series) {
@@ -147,7 +147,7 @@ void PlotsTest::catalogueRowsAreComplete() {
         QVERIFY(ids.insert(spec.id).second);
         QVERIFY(*spec.title != '\0' && *spec.xLabel != '\0' && *spec.yLabel != '\0');
         std::set<std::pair<int, int>> looks;
-        for (const PlotSeries& series : spec.series) // Told apart without colour.
+        for (const PlotSeries& series : spec.series) // must be distinguishable without colour
             QVERIFY(looks.insert({static_cast<int>(series.pen), static_cast<int>(series.fill)}).second);
     }
     QVERIFY(ids.contains("faces") && ids.contains("block-time"));
@@ -216,16 +216,16 @@ void PlotsTest::historyKeepsFramesUntilTheirBlocksArePlayedAgain() {
     };
     using Blocks = std::vector<std::uint32_t>;
     static_cast<void>(history.update(blocks, {{0, 5}, {5, 10}, {10, 12}, {12, 20}}, true));
-    QVERIFY(!history.update(blocks, {}, false).any); // Home
+    QVERIFY(!history.update(blocks, {}, false).any); // seek to the start
     QCOMPARE(lastBlocks(), (Blocks{5, 10, 12, 20}));
-    QVERIFY(!history.update(blocks, {{0, 12}}, false).any); // a scrub over what was measured
+    QVERIFY(!history.update(blocks, {{0, 12}}, false).any); // scrubbing over measured blocks
     const auto played = history.update(blocks, {{0, 12}, {12, 14}}, true);
     QVERIFY(played.any && played.firstFrame == 3);
-    QCOMPARE(lastBlocks(), (Blocks{5, 10, 12, 14, 20})); // what was not played anew stays
+    QCOMPARE(lastBlocks(), (Blocks{5, 10, 12, 14, 20})); // blocks that were not played again stay
     QCOMPARE(history.update(blocks, {{0, 7}}, true).firstFrame, std::size_t{0});
     QCOMPARE(lastBlocks(), (Blocks{7, 10, 12, 14, 20}));
     QCOMPARE(history.frames()[1].firstBlock, std::uint32_t{7});
-    static_cast<void>(history.update(blocks, {{0, 7}, {7, 40}}, false)); // beyond all that was measured
+    static_cast<void>(history.update(blocks, {{0, 7}, {7, 40}}, false)); // past everything measured before
     QCOMPARE(lastBlocks(), (Blocks{7, 40}));
     history.forgetFrames();
     QVERIFY(history.update(blocks, {}, false).any);
@@ -240,15 +240,15 @@ void PlotsTest::parameterChangesAreMarkedWhereTheyMeet() {
     ParameterTrace trace;
     trace.update(first, 0, 100, 100);
     QVERIFY(trace.changes().empty());
-    trace.update(second, 100, 100, 100); // changed at rest: no row is of it yet
+    trace.update(second, 100, 100, 100); // changed at rest: no row uses it yet
     QVERIFY(trace.changes().empty());
     trace.update(second, 100, 130, 130);
     QCOMPARE(trace.changes(), Blocks{100});
-    trace.update(second, 40, 60, 130); // after a seek back, played anew from 40 on
+    trace.update(second, 40, 60, 130); // after a seek back, played again from 40
     QCOMPARE(trace.changes(), (Blocks{40, 60, 100}));
     trace.update(second, 60, 120, 130);
     QCOMPARE(trace.changes(), Blocks{40});
-    trace.update(first, 40, 130, 130); // undone
+    trace.update(first, 40, 130, 130); // change undone
     QVERIFY(trace.changes().empty());
     trace.update(second, 0, 0, 0); // a load
     trace.update(second, 0, 10, 10);
@@ -257,14 +257,14 @@ void PlotsTest::parameterChangesAreMarkedWhereTheyMeet() {
     PlotView view(plot("faces"));
     view.setParameterChanges({40, 60});
     view.setParameterChanges({40});
-    QCOMPARE(view.itemCount(), 3); // with the current block and the hint
+    QCOMPARE(view.itemCount(), 3); // including the current block and the hint
 }
 
 void PlotsTest::viewsHoldWhatTheStatisticsSay() {
     std::mt19937 random(11);
     PersistentArray<BlockStatistics> blocks;
     std::vector<FrameStatistics> frames;
-    std::vector<FrameStatistics> measured; // one a block; a seek back takes none away
+    std::vector<FrameStatistics> measured; // one per block; a seek back removes none
     PlotHistory history;
     PlotView faces(plot("faces"));
     PlotView times(plot("block-time"));
@@ -313,12 +313,13 @@ void PlotsTest::csvHoldsEveryValue() {
     QCOMPARE(plotCsv(plot("block-time"), {blocks, frames}),
              std::string("block,cutMs,decimationMs,uploadMs,drawMs,pictureFirstBlock,pictureLastBlock\n"
                          "1,0.5,250,0,6.25,1,2\n"
-                         "2,0.25,0,0,6.25,1,2\n")); // drawing: of a block, on average
+                         "2,0.25,0,0,6.25,1,2\n")); // drawing: the mean per block
     QVERIFY(plotCsv(plot("block-time"), {blocks, {}}).ends_with("2,0.25,0,,,,\n"));
 }
 
 void PlotsTest::ratesAreThoseOfTheMachinesTime() {
-    // Blocks: a rapid, a slot of 8 × 3 mm at 600 mm/min in three, air, and one that goes nowhere.
+    // Blocks: a rapid, a slot of 8 × 3 mm at 600 mm/min in three blocks, an air cut, and a block without
+    // motion.
     InterpretOptions options;
     options.start = Vec3(0);
     const auto program =
@@ -344,10 +345,10 @@ void PlotsTest::ratesAreThoseOfTheMachinesTime() {
         view->replot();
         QCOMPARE(view->value(0, 0), 0.0);
         QCOMPARE(view->value(0, 4), 0.0);
-        QCOMPARE(view->value(0, 5), 0.0); // nothing in no time
+        QCOMPARE(view->value(0, 5), 0.0); // nothing removed, in no time
     }
     QVERIFY(std::abs(rate.value(0, 2) - kSection * 600) < 1e-6);
-    QVERIFY(rate.value(0, 1) < kSection * 600 && rate.value(0, 1) > kSection * 580); // it speeds up
+    QVERIFY(rate.value(0, 1) < kSection * 600 && rate.value(0, 1) > kSection * 580); // includes acceleration
     for (const std::size_t row : {1U, 2U, 3U})
         QVERIFY(std::abs(perLength.value(0, row) - kSection) < 1e-9);
     QCOMPARE(plotCsv(perLength.spec(), {blocks, frames, times.get()}),
@@ -383,7 +384,7 @@ void PlotsTest::amongManyRowsTheOneThatIsSeenIsMeant() {
     PlotView view(plot("removed-volume"));
     view.resize(600, 220);
     view.setRows({blocks, {}}, 0);
-    view.setBlock(0, 200'000); // half of them are still to come
+    view.setBlock(0, 200'000); // half of them are not simulated yet
     view.replot();
     QSignalSpy clicked(&view, &PlotView::blockClicked);
     const auto at = [&](double block) {
@@ -394,7 +395,7 @@ void PlotsTest::amongManyRowsTheOneThatIsSeenIsMeant() {
     const QString text = view.valuesAt(at(kPeak + 1).x());
     QVERIFY2(text.contains(QLocale().toString(kPeak + 1)) && text.contains(QLocale().toString(77.5)),
              qPrintable(text));
-    QTest::mouseClick(&view, Qt::LeftButton, {}, at(150'000)); // nothing is known there
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at(150'000)); // no data there
     QVERIFY(std::abs(static_cast<double>(clicked[1][0].value<std::size_t>()) - 150'000) < 500);
 }
 
@@ -422,7 +423,7 @@ void PlotsTest::hoverReadsTheNearestRow() {
     PlotView view(plot("faces"));
     view.resize(600, 220);
     QVERIFY(view.valuesAt(300).isEmpty());
-    QVERIFY(!view.yAxis->tickLabels()); // figures of nothing
+    QVERIFY(!view.yAxis->tickLabels()); // the labels would be meaningless
     view.setRows({blocks, {}}, 0);
     view.setBlock(100, 100);
     view.replot();
@@ -451,7 +452,7 @@ void PlotsTest::axesWriteLargeCountsShort() {
 }
 
 void PlotsTest::fewFacesAreReadBesideMillions() {
-    // The sawtooth of a decimated surface, 2 % of what there is without decimation.
+    // The sawtooth of a decimated surface, with 2 % of the triangles without decimation.
     PersistentArray<BlockStatistics> blocks;
     for (std::uint32_t k = 0; k < 400; ++k)
         blocks.push_back({40'000 + 900 * (k % 20), 2'400'000, 0, 0, 0, 0, 0, 0});
@@ -467,12 +468,12 @@ void PlotsTest::fewFacesAreReadBesideMillions() {
         const double sawtooth = heightOf(57'100) - heightOf(40'000);
         QVERIFY2(sawtooth > 0.05 * area.height(), qPrintable(QString::number(sawtooth)));
         QVERIFY(area.contains(area.center().x(), static_cast<int>(view.yAxis->coordToPixel(2'400'000))));
-        QVERIFY(view.yAxis->label() != plot("faces").yLabel); // says that it is logarithmic
+        QVERIFY(view.yAxis->label() != plot("faces").yLabel); // the label mentions the logarithmic axis
         const QVector<QString> labels = view.yAxis->tickVectorLabels();
         QVERIFY2(labels.size() >= 2 && labels.size() <= 7, qPrintable(labels.toList().join(u' ')));
         QVERIFY2(labels.back().endsWith(u'M'), qPrintable(labels.toList().join(u' ')));
     }
-    // Values that are near each other stand on an even axis, from 0.
+    // Values that differ little use a linear axis from 0.
     for (std::size_t k = 0; k < blocks.size(); ++k)
         blocks.edit(k).facesFull = 120'000;
     PlotView view(plot("faces"));
@@ -484,8 +485,8 @@ void PlotsTest::fewFacesAreReadBesideMillions() {
 }
 
 void PlotsTest::aJumpShowsTheTimeOfEachBlock() {
-    // Ten blocks drawn one by one; then 990 in one picture. Each was cut, and every fifth decimated, by
-    // itself.
+    // Ten blocks drawn one by one, then 990 in one frame. Each was cut and every fifth decimated
+    // individually.
     constexpr std::uint32_t kLast = 1000;
     PersistentArray<BlockStatistics> blocks(kLast);
     for (std::size_t k = 0; k < kLast; ++k) {
@@ -505,14 +506,14 @@ void PlotsTest::aJumpShowsTheTimeOfEachBlock() {
         QVERIFY2(std::abs(times.value(series, row) - expected) < 1e-4,
                  qPrintable(QString::number(times.value(series, row))));
     };
-    is(0, 600, 4); // what the picture hides in its mean
+    is(0, 600, 4); // hidden in the mean of the frame
     is(0, 601, 0.5);
     is(1, 604, 2);
     is(1, 605, 0);
     is(2, 604, 0.1);
     is(3, 604, 0.2);
     is(3, 4, 0.5);
-    // What is a mean is told as one, with its blocks.
+    // A mean is shown as such, with its blocks.
     times.setFollowing(false);
     times.xAxis->setRange(595, 605);
     times.setBlock(kLast, kLast);
@@ -522,7 +523,7 @@ void PlotsTest::aJumpShowsTheTimeOfEachBlock() {
     times.xAxis->setRange(0, 10);
     times.setBlock(kLast, kLast);
     QVERIFY(!times.valuesAt(times.xAxis->coordToPixel(5)).contains(QStringLiteral(" to ")));
-    // Blocks that no picture shows yet have no time of drawing, which is not 0.
+    // Blocks that are in no frame yet have no drawing time, which is not the same as 0.
     times.setRows({blocks, {}}, 0);
     QVERIFY(std::isnan(times.value(3, 20)));
     is(0, 20, 0.5);
@@ -532,7 +533,7 @@ void PlotsTest::plotsWrapIntoRows() {
     Session session;
     PlotsPanel panel(session);
     panel.show();
-    for (PlotView* view : panel.views()) // all of them
+    for (PlotView* view : panel.views()) // shows all of them
         if (view->isHidden())
             panel.findChild<QAction*>(QStringLiteral("plot-") + view->objectName())->trigger();
     struct Case {
@@ -554,7 +555,7 @@ void PlotsTest::plotsWrapIntoRows() {
         }
         QCOMPARE(taken.boundingRect().width(), grid->viewport()->width());
     }
-    // The wheel scrolls there, and zooms with Ctrl.
+    // The wheel scrolls, and zooms with Ctrl.
     panel.resize(640, 300);
     auto* bar = panel.findChild<PlotGrid*>()->verticalScrollBar();
     QTRY_VERIFY(bar->maximum() > 0);
@@ -571,7 +572,7 @@ void PlotsTest::plotsWrapIntoRows() {
     QCOMPARE(first.xAxis->range().size(), 1000.0);
     wheel(Qt::ControlModifier, 120);
     QVERIFY(first.xAxis->range().size() < 1000);
-    // A plot that is hidden leaves no gap.
+    // A hidden plot leaves no gap.
     panel.resize(1280, 700);
     for (PlotView* view : panel.views())
         if (view != &first)
@@ -600,7 +601,7 @@ void PlotsTest::manyRowsCostLittle() {
     std::mt19937 random(3);
     PersistentArray<BlockStatistics> blocks;
     const std::vector<FrameStatistics> frames;
-    // The paper's sawtooth: faces grow for a period of 20 blocks and fall.
+    // The paper's sawtooth: the number of triangles grows for a period of 20 blocks, then falls.
     const auto addBlock = [&] {
         BlockStatistics row = randomBlock(random);
         row.facesShown = static_cast<std::uint32_t>(40000 + 900 * (blocks.size() % 20) + random() % 500);
@@ -619,18 +620,18 @@ void PlotsTest::manyRowsCostLittle() {
     view.setRows({blocks, frames}, history.update(blocks, frames, true).firstBlock);
     QCOMPARE(valuesAsked, 10 * spec.series.size());
     view.setBlock(blocks.size(), blocks.size());
-    // Of each column of pixels a curve needs its first, last, lowest and highest value.
+    // A curve needs the first, last, lowest and highest value of each pixel column.
     CountingDevice device;
     QCPPainter painter;
     painter.begin(&device);
     view.toPainter(&painter, view.width(), view.height());
     painter.end();
-    QVERIFY(device.points() > view.width()); // else nothing was counted
+    QVERIFY(device.points() > view.width()); // ensures that points were counted
     QVERIFY2(device.points() < 4 * view.width() * view.graphCount(),
              qPrintable(QString::number(device.points())));
 }
 
-/// Against Qt's polygons, where these have a simple shape.
+/// Compares with Qt's polygons for simple shapes.
 void PlotsTest::fillingsAreUnderTheirCurves() {
     const auto picture = [](const char* id, bool columns) {
         PersistentArray<BlockStatistics> blocks;
@@ -648,7 +649,7 @@ void PlotsTest::fillingsAreUnderTheirCurves() {
         view.resize(700, 300);
         view.setRows({blocks, frames}, 0);
         view.setBlock(30, 50);
-        // Nothing but fillings: lines are smoothed otherwise.
+        // Only fills, because lines are antialiased differently.
         for (int index = 0; index < view.graphCount(); ++index)
             view.graph(index)->setPen(Qt::NoPen);
         for (int index = 0; index < view.itemCount(); ++index)
@@ -672,7 +673,7 @@ void PlotsTest::fillingsAreUnderTheirCurves() {
         for (int y = 0; y < columns.height(); ++y)
             for (int x = 0; x < columns.width(); ++x)
                 different += std::abs(qGray(columns.pixel(x, y)) - qGray(polygons.pixel(x, y))) > 20 ? 1 : 0;
-        // At the edges, of which each column has as many as curves.
+        // Only pixels at edges may differ, and each column has as many edges as curves.
         const int edges = columns.width() * static_cast<int>(plot(id).series.size());
         QVERIFY2(different < 2 * edges, qPrintable(QString::number(different)));
     }
@@ -690,7 +691,7 @@ void PlotsTest::jaggedFillingsCostLittle() {
         if (!filled)
             view.graph(0)->setBrush(Qt::NoBrush);
         view.setBlock(blocks.size(), blocks.size());
-        view.replot(); // lays it out
+        view.replot(); // updates the layout
         const std::clock_t begin = std::clock();
         for (int k = 0; k < 5; ++k)
             view.replot();
@@ -714,7 +715,7 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     });
     session.playback().seek(120);
     QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{120}, 10000);
-    QTRY_COMPARE(panel.views()[1]->rows(), std::size_t{120}); // of a jump too, at once
+    QTRY_COMPARE(panel.views()[1]->rows(), std::size_t{120}); // also after a jump, immediately
     const FramePtr frame = session.simulation().frame();
     QVERIFY(frame->statistics.size() >= 120);
     PlotView& faces = *panel.views().front();
@@ -725,7 +726,7 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     }
     PlotView& rate = *panel.views()[5];
     QTRY_VERIFY_WITH_TIMEOUT(rate.rows() >= 120 && !std::isnan(rate.value(0, 119)), 30'000);
-    const auto times = session.program().times(); // which came before or behind the rows
+    const auto times = session.program().times(); // they may arrive before or after the rows
     QVERIFY(times != nullptr);
     for (std::size_t row = 0; row < 120; ++row)
         QCOMPARE(rate.value(0, row), machineRemovalRate(*times, row, frame->statistics[row]));
@@ -752,7 +753,7 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.svg")), PlotFormat::svg));
     QFile svg(folder.filePath(QStringLiteral("faces.svg")));
     QVERIFY(svg.open(QIODevice::ReadOnly) && svg.readAll().contains("<svg"));
-    // A folder that is not there is told, not shown in a dialog.
+    // A missing folder is reported as a problem and not in a dialog.
     QVERIFY(!panel.exportTo(faces, folder.filePath(QStringLiteral("missing/faces.csv")), PlotFormat::csv));
     QVERIFY(!session.problems().all().empty());
     const QPoint at(static_cast<int>(std::lround(faces.xAxis->coordToPixel(60))),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a place of the stock to its block: the newest question, of the present moment, and the way back.
+// From a position on the stock to its block: only the newest request counts, only for the current moment; and
+// the way back.
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -20,13 +21,13 @@ namespace {
 constexpr int kPatience = 30'000; // ms
 const QString kSample = QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout");
 
-/// Lets what is under way come to an end that the event loop has not heard of yet.
+/// Lets the current work finish without delivering its result to the event loop.
 void letItFinishUnheard() {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
 }
 
-/// The block, from 1, that lowered each of the points last, and noticeably, of all that are executed; 0 where
-/// none did. By looking at the map after each block.
+/// For each point, the block, from 1, that last lowered it noticeably among all executed blocks; 0 if there
+/// is none. Found by checking the z-map after each block.
 std::vector<std::size_t> lastCuts(const Frame& moment, const std::vector<MapPoint>& points) {
     DecimationParameters undecimated;
     undecimated.method = DecimationMethod::none;
@@ -46,7 +47,7 @@ std::vector<std::size_t> lastCuts(const Frame& moment, const std::vector<MapPoin
     return blocks;
 }
 
-/// The answers of a session, and the lines that it asked to be seen.
+/// The results of a session, and the lines that it requested to show.
 struct Reported {
     explicit Reported(Session& session) {
         QObject::connect(&session.navigation(), &NavigationHub::placeFound, &session,
@@ -163,7 +164,7 @@ private slots:
             QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), expected[k], kPatience);
         }
         QVERIFY(cut > 5);
-        QCOMPARE(cut < points.size(), block == 15); // later, all of the top is faced
+        QCOMPARE(cut < points.size(), block == 15); // later the whole top is faced
     }
 
     void leadsBackAsOftenAsAway() {
@@ -181,7 +182,7 @@ private slots:
         QVERIFY(!session->navigation().canReturn());
         jump(*session, reported, moment, cutPlace(*moment, 0));
         QVERIFY(session->navigation().canReturn());
-        session->document().applyEdit(0, 0, "\n"); // its blocks are others
+        session->document().applyEdit(0, 0, "\n"); // changes its blocks
         QTRY_VERIFY_WITH_TIMEOUT(!session->navigation().canReturn(), kPatience);
     }
 
@@ -206,7 +207,7 @@ private slots:
         QVERIFY(session->job().setSetup(setup));
         QTRY_VERIFY_WITH_TIMEOUT(session->simulation().frame()->setup != moment->setup, kPatience);
         QVERIFY(reported.answers.empty() && reported.lines.empty());
-        // Of a moment that is gone it is told so, and the new one can be asked.
+        // For an old moment the result says so, and a request for the new one works.
         session->navigation().goToBlockThatMade({moment, point});
         QCOMPARE(reported.answers.size(), std::size_t{1});
         QCOMPARE(reported.answers.back().kind, PlaceAnswer::Kind::outdated);
@@ -225,7 +226,7 @@ private slots:
         session->navigation().goToBlockThatMade({moment, point});
         letItFinishUnheard();
         session->document().applyEdit(0, 0, "\n");
-        // Its lines are no longer those of the text.
+        // Its lines no longer match the text.
         session->navigation().goToBlockThatMade({moment, point});
         QCOMPARE(reported.answers.size(), std::size_t{1});
         QCOMPARE(reported.answers.back().kind, PlaceAnswer::Kind::outdated);
@@ -272,7 +273,7 @@ private:
         return session;
     }
 
-    /// A place that was cut, by another block than `but`.
+    /// A point that was cut by a block other than `but`.
     static MapPoint cutPlace(const Frame& moment, std::size_t but) {
         const Grid& grid = moment.zmap.grid();
         for (int j = 0; j < grid.ny; j += 11)

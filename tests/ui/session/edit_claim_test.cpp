@@ -38,11 +38,11 @@ private slots:
         QCOMPARE(second.other()->process, QCoreApplication::applicationPid());
         QCOMPARE(second.other()->computer, QSysInfo::machineHostName());
         QVERIFY(!first.other());
-        second.follow(m_file, true); // edits all the same
+        second.follow(m_file, true); // edits it nevertheless
         QVERIFY(second.other());
         second.follow(QString(), false);
         QVERIFY(!second.other());
-        second.follow(m_folder->filePath(QStringLiteral("other/link/bracket.nc")), false); // the same file
+        second.follow(m_folder->filePath(QStringLiteral("other/link/bracket.nc")), false); // a link to it
         QVERIFY(second.other());
         second.follow(m_folder->filePath(QStringLiteral("else.nc")), false);
         QVERIFY(!second.other());
@@ -57,7 +57,7 @@ private slots:
         QVERIFY(first.other());
         QVERIFY(!second.other());
         second.follow(m_file, false);                     // saved
-        QTRY_VERIFY_WITH_TIMEOUT(!first.other(), 20'000); // which claims it now
+        QTRY_VERIFY_WITH_TIMEOUT(!first.other(), 20'000); // now the other one claims it
         QTRY_VERIFY_WITH_TIMEOUT(second.other(), 20'000);
         QCOMPARE(changes.size(), 1);
     }
@@ -86,7 +86,7 @@ private slots:
         QCOMPARE(locks().size(), 0);
     }
 
-    /// Its processes are not those of this one.
+    /// Its process numbers have no meaning on this computer.
     void aClaimOfAnotherComputerCounts() {
         {
             EditClaim claim(root());
@@ -100,7 +100,7 @@ private slots:
         lines[0] = "1";
         lines[2] = "lathe-office";
         for (int line = 3; line < lines.size(); ++line)
-            lines[line].clear(); // that also tell the computer
+            lines[line].clear(); // the lines that identify the computer
         QFile lock(m_lock);
         QVERIFY(lock.open(QIODevice::WriteOnly));
         lock.write(lines.join('\n'));

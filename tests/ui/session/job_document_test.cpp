@@ -19,7 +19,7 @@ class JobDocumentTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Two windows save what both have read, at the same moment: one of them is told.
+    /// Two windows save the file that both have read at the same moment: one of them must be refused.
     void ofTwoThatSaveAtOnceOneIsRefused() {
         constexpr int kRounds = 40;
         QTemporaryDir folder;
@@ -53,7 +53,7 @@ private slots:
     }
 
 private:
-    /// How many could save.
+    /// The number of successful saves.
     template<class Change>
     static int atOnce(JobDocument& first, JobDocument& second, const Change& change) {
         std::barrier start(2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hub alone, without a window: what a panel can rely on.
+// The session alone, without a window: what panels can rely on.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -63,7 +63,7 @@ QByteArray longProgram(int lines) {
     return text + "Y300\nM30\n";
 }
 
-/// The largest difference of the heights of two moments of one grid.
+/// The largest difference in height between two moments on the same grid.
 double heightDifference(const ZMapSnapshot& a, const ZMapSnapshot& b) {
     double largest = 0;
     for (int j = 0; j < a.grid().ny; ++j)
@@ -96,7 +96,7 @@ private slots:
         session.playback().seek(100);
         QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{100}, kPatience);
         for (int i = 0; i < 5; ++i)
-            session.playback().step(1); // quick presses add up
+            session.playback().step(1); // fast key presses add up
         QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{105}, kPatience);
         session.playback().step(-10);
         QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{95}, kPatience);
@@ -106,11 +106,11 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
         QCOMPARE(session.simulation().block(), session.program().blockCount());
         session.playback().setSpeed(kUnitBlocksPerSecond);
-        session.playback().play(); // at the end it begins anew
+        session.playback().play(); // restarts at the end of the program
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() < session.program().blockCount(), kPatience);
     }
 
-    /// What was asked for and has not come yet counts, not the block on the screen.
+    /// The requested block counts, even if it has not been reached, and not the block on the screen.
     void aSeekUnderWayIsNotLost() {
         Session session;
         QVERIFY(opened(session, kSample));
@@ -140,7 +140,7 @@ private slots:
         QCOMPARE(session.simulation().block(), std::size_t{40});
     }
 
-    /// It is dropped then, and must not be taken for one that is still on its way.
+    /// The step is dropped, and must not be mistaken for a pending one.
     void aStepBeforeThereIsASimulationLeavesNothingBehind() {
         Session session;
         session.playback().step(-1);
@@ -152,7 +152,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
         QCOMPARE(session.simulation().block(), session.program().blockCount());
         session.playback().setSpeed(kUnitBlocksPerSecond);
-        session.playback().play(); // at the end it begins anew
+        session.playback().play(); // restarts at the end of the program
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() < session.program().blockCount(), kPatience);
     }
 
@@ -165,7 +165,7 @@ private slots:
         setup.spacing = 0.05;
         QVERIFY(session.job().setSetup(setup).has_value());
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->setup->spacing == 0.05, kPatience);
-        session.playback().seek(session.program().blockCount()); // some seconds of work
+        session.playback().seek(session.program().blockCount()); // takes some seconds
         session.playback().pause();
         setup.spacing = 1;
         QVERIFY(session.job().setSetup(setup).has_value());
@@ -213,7 +213,7 @@ private slots:
         const std::vector<FrameStatistics>& rows = session.playback().frameStatistics();
         QVERIFY(rows.size() >= 20);
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            QCOMPARE(rows[i].lastBlock, rows[i].firstBlock + 1); // each row stands for one block
+            QCOMPARE(rows[i].lastBlock, rows[i].firstBlock + 1); // each row is for a single block
             QCOMPARE(rows[i].firstBlock, static_cast<std::uint32_t>(i));
         }
     }
@@ -280,7 +280,7 @@ private slots:
                                  kPatience);
         QVERIFY(std::abs(heightDifference(before, session.simulation().frame()->zmap) - 1.0) < 1e-5);
 
-        // The same as when the edited file is opened afresh.
+        // The same as opening the edited file.
         QByteArray edited = kSquare;
         edited.replace("Z-1", "Z-2");
         Session fresh;
@@ -321,7 +321,7 @@ private slots:
         session.job().setParameters(named);
         QVERIFY(useSpacing(0.0125));
         QCOMPARE(session.job().parameters().regionCells, 24);
-        named.regionCells = 32; // the standard again
+        named.regionCells = 32; // the default again
         session.job().setParameters(named);
         QVERIFY(useSpacing(0.5));
         QCOMPARE(session.job().parameters().regionCells, 16);
@@ -342,7 +342,7 @@ private slots:
                                  kPatience);
         QCOMPARE(session.simulation().block(), std::size_t{200});
         QVERIFY(session.simulation().frame()->surface.largestError() <= 0.5);
-        QVERIFY(session.document().modified()); // the job holds the parameters
+        QVERIFY(session.document().modified()); // the parameters are part of the job
     }
 
     void exportsWhatTheFrameShows() {
@@ -360,7 +360,8 @@ private slots:
         QVERIFY(mesh.has_value());
         QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.exports().last()->triangles);
         QCOMPARE(static_cast<qint64>(session.exports().last()->bytes), QFileInfo(file).size());
-        double volume = 0; // closed and oriented: the divergence theorem gives the stock that is left
+        double volume = 0; // closed and oriented, so the divergence theorem gives the volume of the remaining
+                           // stock
         for (const auto& t : mesh->triangles)
             volume +=
                 glm::dot(mesh->vertices[t[0]], glm::cross(mesh->vertices[t[1]], mesh->vertices[t[2]])) / 6;
@@ -381,7 +382,7 @@ private slots:
     void savesBytesAsTheyWere() {
         QTemporaryDir folder;
         const QByteArray bytes =
-            "\xEF\xBB\xBFG21\r\n(M\xFChle \xE9)\r\nG0 X1\r\n\r\nM30"; // mark, Latin-1, no last line end
+            "\xEF\xBB\xBFG21\r\n(M\xFChle \xE9)\r\nG0 X1\r\n\r\nM30"; // BOM, Latin-1, no final line end
         const QString file = write(folder, "latin.nc", bytes);
         Session session;
         QVERIFY(opened(session, file));
@@ -455,7 +456,8 @@ private slots:
         QCOMPARE(QByteArray::fromStdString(session.document().text().text.toString()), kSquare + "\n\n");
         session.document().applyEdit(0, 0, "(mine)\n");
         session.document().setTextModified(true);
-        QVERIFY(session.document().save()); // our own save is no change by somebody else
+        QVERIFY(session.document().save()); // the window's own save is not reported as a change by another
+                                            // program
         QTest::qWait(600);
         QCOMPARE(changed.count(), 2);
     }
@@ -466,7 +468,7 @@ private slots:
         Session session;
         QSignalSpy changed(&session.document(), &DocumentHub::fileChangedOnDisk);
         const auto changeBehindItsReader = [&](const QByteArray& text) {
-            QThread::msleep(300); // read by now, but without events nobody here has got it
+            QThread::msleep(300); // the file has been read by now, but the result needs the event loop
             write(folder, "watched.nc", text);
             QVERIFY(openingIsOver(session));
             if (session.document().text().text.toString() == text.toStdString())
@@ -482,7 +484,7 @@ private slots:
         QThread::msleep(300);
         QVERIFY(QFile::remove(file));
         QVERIFY(openingIsOver(session));
-        QTRY_VERIFY_WITH_TIMEOUT(session.document().modified(), kPatience); // the window holds the last copy
+        QTRY_VERIFY_WITH_TIMEOUT(session.document().modified(), kPatience); // the window has the only copy
     }
 
     void fitsTheStockToTheProgram() {
@@ -521,7 +523,7 @@ private slots:
         QVERIFY(!neighbouringToolChange(program, kChanges - 1, 1));
     }
 
-    /// A tool that the program does not call is as wide as one that it does.
+    /// An assumed tool counts with its width, like a tool that the program calls.
     void fitsTheStockToTheToolThatIsAssumed() {
         QTemporaryDir folder;
         Session session;
@@ -534,7 +536,7 @@ private slots:
         QCOMPARE(session.job().stockFittedToProgram().width, 60.0);
     }
 
-    /// G41 without D takes the tool in the spindle, which is the assumed one.
+    /// G41 without D uses the tool in the spindle, which is the assumed one.
     void compensatesForTheToolThatIsAssumed() {
         QTemporaryDir folder;
         Session session;
@@ -594,7 +596,7 @@ private slots:
         QCOMPARE(bytesOf(folder.filePath("square.nc")), "(a)\n" + kSquare);
         QVERIFY(opened(session, folder.filePath("square.proveout")));
         QCOMPARE(session.job().parameters().allowance, 0.3);
-        // Under another name the job must follow its program.
+        // After saving under another name, the job must refer to the new program.
         QVERIFY(session.document().saveAs(folder.filePath("other.nc")));
         QVERIFY(session.document().jobModified());
         QVERIFY(session.document().save());
@@ -661,7 +663,7 @@ private slots:
         session.work().cancel();
         QVERIFY(!session.playback().state().playing);
 
-        // A set-up that needs the program to be read anew keeps position and playback.
+        // A setup that requires the program to be interpreted again keeps position and playback.
         session.playback().play();
         Setup setup = session.job().setup();
         setup.blockDelete = !setup.blockDelete;
@@ -755,7 +757,7 @@ private slots:
         QVERIFY(reported);
         QVERIFY(!hasProblem(session, "still-reading"));
         QVERIFY(!session.work().current());
-        // The stock is that of the whole program.
+        // The stock fits the whole program.
         QVERIFY(session.job().setup().stock.depth > 299);
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() &&
                                      session.simulation().frame()->program == session.program().current(),
@@ -820,7 +822,7 @@ private slots:
         });
         QVERIFY(!opened(session, write(folder, "long.nc", longProgram(3'000'000))));
         QVERIFY(cancelled);
-        QTest::qWait(100); // what was still under way
+        QTest::qWait(100); // lets pending work finish
         QCOMPARE(replaced.count(), 0);
         QVERIFY(!session.work().current());
         QCOMPARE(session.document().text().path, toPath(folder.filePath("square.nc")));
@@ -894,7 +896,7 @@ private slots:
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         session.document().keepMine();
         QVERIFY(session.document().modified());
-        session.document().setTextModified(false); // undo came to the text that was read
+        session.document().setTextModified(false); // undo has reached the text as it was read
         QVERIFY(session.document().modified());
         QVERIFY(session.document().save());
         QVERIFY(!session.document().modified());
@@ -908,7 +910,7 @@ private slots:
         QVERIFY(!opened(session, write(folder, "picture.nc", QByteArray(64, '\0'))));
         QCOMPARE(troubled.count(), 1);
         const Diagnostic& problem = session.problems().all().front();
-        QCOMPARE(problem.where.line, 0); // it is not about a line of the program that stays open
+        QCOMPARE(problem.where.line, 0); // it does not refer to a line of the open program
         QVERIFY2(sentence(problem).startsWith(QLatin1String("picture.nc: ")), qPrintable(sentence(problem)));
     }
 

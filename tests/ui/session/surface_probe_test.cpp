@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When the block under the pointer is looked for, and when not.
+// When the block under the pointer is searched, and when not.
 #include "ui/readout/surface_probe.h"
 
 #include <atomic>
@@ -46,7 +46,7 @@ class SurfaceProbeTest : public QObject {
 private slots:
     void initTestCase() {
         m_setup = setup();
-        // Along Y5, 1 mm deep; then along Y15, then along Y5 again, 1 mm deeper; in G55 at last.
+        // Along Y5, 1 mm deep; then along Y15, then along Y5 again, 1 mm deeper; finally in G55.
         m_program = interpret(NcText("G21 G90 T1 M6\nG10 L2 P2 X3 Y4 Z-2\nG0 X-5 Y5 Z5\nG0 Z-1\nG1 X25 F500\n"
                                      "G0 Y15\nG1 X-5\nG55 G0 Y1\nG1 Z0\nX30\nM2\n"));
         const auto simulation = std::move(Simulation::create(m_program, m_setup, {}).value());
@@ -76,7 +76,7 @@ private slots:
         QVERIFY(!probe.place() && !probe.answer());
     }
 
-    /// Cut on an assumption, and named as that.
+    /// Cut with an assumed tool, and named as such.
     void namesTheToolThatIsAssumed() {
         const auto program = interpret(NcText("G21 G90\nG0 X-5 Y5 Z5\nG0 Z-1\nG1 X25 F500\nM2\n"));
         const auto simulation = std::move(Simulation::create(program, m_setup, {}).value());
@@ -99,8 +99,8 @@ private slots:
             QTest::qWait(SurfaceProbe::kRestMilliseconds / 10);
         }
         QTRY_VERIFY_WITH_TIMEOUT(probe.answer().has_value(), kPatience);
-        QVERIFY2(asked <= 2, qPrintable(QString::number(asked))); // once, but for a slow machine
-        // Another program is in the editor: nothing is asked, and nothing told of lines.
+        QVERIFY2(asked <= 2, qPrintable(QString::number(asked))); // once, except on a slow machine
+        // Another program is in the editor: nothing is searched, and no lines are shown.
         const int before = asked;
         probe.point(at(4, {3, 5}), false);
         QTest::qWait(kLongRest);
@@ -142,7 +142,7 @@ private slots:
         }
         QTest::qWait(kLongRest);
         QCOMPARE(asked.load(), 1);
-        probe.point(at(2, {10, 5})); // back, before it was cut
+        probe.point(at(2, {10, 5})); // back to before it was cut
         QTRY_VERIFY_WITH_TIMEOUT(probe.answer().has_value(), kPatience);
         QCOMPARE(probe.answer()->kind, PlaceAnswer::Kind::neverCut);
         QCOMPARE(asked.load(), 2);

@@ -17,7 +17,7 @@ constexpr int kPatience = 10'000;
 
 } // namespace
 
-/// Run under ThreadSanitizer too: what crosses holds plain values, and only the queue orders them.
+/// Also run under ThreadSanitizer: the data passed are plain values, and only the queue synchronises them.
 class UiQueueTest : public QObject {
     Q_OBJECT
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every row of setup, decimation and machine has a widget with its range and its text, and is in the guide.
+// Every row of setup, decimation and machine has a widget with its range and its text, and is described in
+// the guide.
 #include <vector>
 
 #include <QFile>
@@ -16,7 +17,7 @@
 namespace proveout {
 namespace {
 
-/// The widgets that tell what the row does, but for labels.
+/// The widgets whose tooltip contains the help of the row, except labels.
 std::vector<QWidget*> editorsOf(const QWidget& panel, const Field& field) {
     std::vector<QWidget*> editors;
     for (QWidget* widget : panel.findChildren<QWidget*>()) {
@@ -37,7 +38,7 @@ bool hasRangeOf(const Box& box, const Field& field) {
            box.toolTip().contains(range + unit);
 }
 
-/// What the panel lacks of a row; empty where it has all.
+/// What the panel lacks for a row; empty if it is complete.
 template<class Value>
 QString missing(const QWidget& panel, const Field& field) {
     const auto editors = editorsOf(panel, field);
@@ -65,7 +66,7 @@ QString guidePage(const char* name) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// What panel and page lack of the rows of a struct.
+/// What panel and page lack for the rows of a struct.
 template<class Params>
 QString missing(const Params& params, const QWidget& panel, const char* page) {
     QStringList found;

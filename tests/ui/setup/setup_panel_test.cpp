@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kPatience = 10'000; ///< ms
 
-/// Type B goes round its first corner in one motion more.
+/// Type B uses one motion more around the first corner.
 const char* const kCompensated = "G90 G1 G42 D1 X0 Y0 F100\nX-20. Y20.\nG40 X0\nM30\n";
 
 QString write(const QTemporaryDir& folder, const QByteArray& text) {
@@ -77,7 +77,7 @@ private slots:
         const QString job = folder.filePath(QStringLiteral("p.proveout"));
         QVERIFY(session.document().saveJobAs(job));
 
-        // What is left becomes the stock of the next set-up, where it lay and on its grid.
+        // The remaining stock becomes the stock of the next setup, in the same position and on its grid.
         const QString stock = folder.filePath(QStringLiteral("a.pvstock"));
         QSignalSpy saved(&session.exports(), &ExportHub::exported);
         session.exports().saveStock(stock);
@@ -89,7 +89,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session.job().setup().shape.kind, StockKind::saved, kPatience);
         QVERIFY(session.job().setup().stock.corner == corner);
         QCOMPARE(session.job().setup().stock.width, 42.0);
-        // One that is not there is told and changes nothing.
+        // A missing file is reported and changes nothing.
         file->setText(folder.filePath(QStringLiteral("none.pvstock")));
         emit file->editingFinished();
         const auto reported = [&panel] {
@@ -204,7 +204,7 @@ private slots:
         QCOMPARE(session.problems().all().size(), std::size_t{1});
         auto* dialects = panel.findChild<QComboBox*>(QStringLiteral("dialect"));
         QVERIFY(dialects->currentText().contains(QLatin1String("none")));
-        // The choice of a dialect has it read.
+        // Choosing a dialect makes it read the text.
         QVERIFY(setDialect(session, DialectId::fanuc).has_value());
         QTRY_VERIFY_WITH_TIMEOUT(session.program().current()->foreignKind() == nullptr, kPatience);
         QVERIFY(session.problems().all().size() > 1);
@@ -219,7 +219,7 @@ private slots:
             QVERIFY(setDialect(session, row.id).has_value());
             QCOMPARE(isOffered(panel), row.vectors.used);
         }
-        // A dialect that nobody named is known once the text was read.
+        // A dialect that was not set is known once the text is interpreted.
         QVERIFY(opened(session, write(folder, "O1\nG65 P2 X5.\nM30\nO2\nM99\n")));
         QVERIFY(!session.job().setup().dialect);
         QTRY_VERIFY_WITH_TIMEOUT(isOffered(panel), kPatience);

@@ -24,7 +24,7 @@ constexpr int kPatience = 10'000; ///< ms
 
 const char* const kUncalled = "G21 G90\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nG0 Z5\nM30\n";
 
-/// A program that calls no tool, opened, with a small stock and T1, a 4 mm cutter.
+/// An open program that calls no tool, with a small stock and T1, a 4 mm cutter.
 struct Opened {
     QTemporaryDir folder;
     Session session;
@@ -47,7 +47,7 @@ struct Opened {
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
         return session.job().setSetup(setup).has_value() && settled();
     }
-    /// The newest frame is of the present setup.
+    /// Waits until the newest frame has the current setup.
     bool settled() {
         return QTest::qWaitFor(
             [this] {
@@ -64,7 +64,7 @@ struct Opened {
         return std::ranges::any_of(session.problems().all(),
                                    [id](const Diagnostic& d) { return std::string_view(d.id) == id; });
     }
-    /// A sentence on the panel, as the user sees it.
+    /// Whether the panel shows a sentence.
     bool shows(const QString& text) const {
         return std::ranges::any_of(panel.findChildren<QLabel*>(), [&](const QLabel* label) {
             return label->isVisible() && label->text().contains(text);
@@ -138,10 +138,10 @@ private slots:
         automatic.setFocus();
         QTest::keyClick(&automatic, Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(at.session.job().setup().automaticGrid, kPatience);
-        QVERIFY(at.session.job().setup().spacing <= 0.4); // a tenth of the cutter
+        QVERIFY(at.session.job().setup().spacing <= 0.4); // a tenth of the cutter's diameter
         QCOMPARE(spacing.value(), at.session.job().setup().spacing);
         QVERIFY(tuning.findChild<QCheckBox*>(QStringLiteral("grid-automatic"))->isChecked());
-        // A smaller cutter makes it finer.
+        // A smaller cutter makes the grid finer.
         const double before = at.session.job().setup().spacing;
         Setup setup = at.session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=0.2").value());
@@ -176,13 +176,13 @@ private slots:
         QVERIFY(at.session.simulation().frame() == nullptr);
         QVERIFY(at.reports("stock-incomplete"));
         QVERIFY(at.shows(QStringLiteral("The stock has no file yet; nothing is simulated.")));
-        // Nor under the name of a file that cannot be read.
+        // Also not under the name of a file that cannot be read.
         auto& file = at.find<QLineEdit>("stock-file-file");
         type(file, at.folder.filePath(QStringLiteral("none.pvstock")));
         QTRY_VERIFY_WITH_TIMEOUT(at.shows(QStringLiteral("none.pvstock")), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(!at.session.job().setup().shape.file.empty(), kPatience);
         QVERIFY(at.session.simulation().frame() == nullptr);
-        QTest::keyClick(&shape, Qt::Key_Home); // a box again
+        QTest::keyClick(&shape, Qt::Key_Home); // back to a box
         QVERIFY(at.settled());
         QVERIFY(!at.reports("stock-incomplete"));
         QVERIFY(!at.shows(QStringLiteral("nothing is simulated")));
@@ -237,7 +237,7 @@ private slots:
         type(*box, typed);
         QVERIFY2(m_refused.contains(range), qPrintable(m_refused));
         QCOMPARE(box->text(), shown);
-        QTest::qWait(400); // the rest after which edits are applied
+        QTest::qWait(400); // the delay after which edits are applied
         QVERIFY(at.session.job().setup() == setup);
         QVERIFY(at.session.job().parameters() == parameters);
         QVERIFY(!at.session.job().machine());
@@ -257,7 +257,7 @@ private slots:
         QVERIFY(!at.session.job().setup().blockDelete);
         type(spacing, QStringLiteral("0.001"));
         blockDelete.setFocus();
-        QTest::keyClick(&blockDelete, Qt::Key_Space); // together with what is refused
+        QTest::keyClick(&blockDelete, Qt::Key_Space); // together with the refused value
         QTRY_COMPARE_WITH_TIMEOUT(spacing.value(), 5.0, kPatience);
         QCOMPARE(at.session.job().setup().spacing, 5.0);
         QVERIFY(at.session.job().setup().blockDelete);
@@ -280,7 +280,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().spacing, 0.0054, kPatience);
     }
 
-    /// The forms reach as far as job files do; what is beyond is shown, not bent.
+    /// The forms have the same limits as job files; a value beyond them is shown unchanged.
     void aValueFromAFileIsNotBent() {
         Opened at;
         QVERIFY(at.open());
@@ -292,7 +292,7 @@ private slots:
         QVERIFY(at.session.job().setSetup(setup).has_value());
         auto& blockDelete = *at.panel.findChildren<QCheckBox*>().front();
         blockDelete.setFocus();
-        QTest::keyClick(&blockDelete, Qt::Key_Space); // another edit carries all fields along
+        QTest::keyClick(&blockDelete, Qt::Key_Space); // another edit applies all fields
         QTRY_VERIFY_WITH_TIMEOUT(!(at.session.job().setup() == setup), kPatience);
         QCOMPARE(at.session.job().setup().stock.width, 250'000.0);
         QCOMPARE(at.session.job().setup().spacing, 1500.0);

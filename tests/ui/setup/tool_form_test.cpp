@@ -51,7 +51,7 @@ private slots:
         choose(form, "spot");
         QCOMPARE(form.spec().values.at("angle"), 140.0);
         choose(form, "taper");
-        QCOMPARE(form.spec().values.at("angle"), 3.0); // of a side, not of the point
+        QCOMPARE(form.spec().values.at("angle"), 3.0); // for a side, not for the point
         QCOMPARE(form.spec().values.at("d"), 6.0);     // at the tip
         QCOMPARE(form.spec().values.at("l"), 33.0);
     }
@@ -67,7 +67,7 @@ private slots:
         emit profile.editingFinished();
         QCOMPARE(edited.size(), 1);
         QCOMPARE(writeSpec(form.spec()), std::string("form:p=0/0:5/2,l=20"));
-        emit profile.editingFinished(); // as the focus goes, with nothing changed
+        emit profile.editingFinished(); // as when the focus leaves, with nothing changed
         QCOMPARE(edited.size(), 1);
     }
 

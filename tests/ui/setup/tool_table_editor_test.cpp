@@ -25,7 +25,7 @@ ToolTable mixed() {
     return tools;
 }
 
-/// The text of the column that says where the sizes come from.
+/// The text in the column for the origin of the sizes.
 QString sourceOf(const ToolTableEditor& editor, int row) {
     return editor.findChild<QTreeWidget*>()->topLevelItem(row)->text(2);
 }
@@ -93,7 +93,7 @@ private slots:
             editor.findChild<QDoubleSpinBox*>(QStringLiteral("tool-l"))->setValue(length);
         };
         setLength(20);
-        setLength(21); // once more, as the arrow keys do
+        setLength(21); // again, as the arrow keys do
         QCOMPARE(editor.tools().find(1)->spec(), std::string("flat:d=6,l=21"));
         const ToolOrigin* comment = editor.tools().unconfirmedOrigin(1);
         QVERIFY(comment != nullptr && comment->defaults.empty());
@@ -105,7 +105,7 @@ private slots:
         QVERIFY(!origin->text().contains(QStringLiteral("defaults")));
 
         auto* list = editor.findChild<QTreeWidget*>();
-        list->setCurrentItem(list->topLevelItem(1)); // the assumed one
+        list->setCurrentItem(list->topLevelItem(1)); // the assumed tool
         setLength(30);
         choose(editor, "ball");
         QCOMPARE(editor.tools().find(2)->spec(), std::string("ball:d=10,l=30"));
@@ -114,7 +114,7 @@ private slots:
         editor.findChild<QDoubleSpinBox*>(QStringLiteral("tool-d"))->setValue(6);
         QVERIFY(editor.tools().unconfirmedOrigin(2) == nullptr);
 
-        list->setCurrentItem(list->topLevelItem(2)); // given: nothing takes that away
+        list->setCurrentItem(list->topLevelItem(2)); // entered sizes stay confirmed
         setLength(30);
         QVERIFY(editor.tools().unconfirmedOrigin(3) == nullptr);
     }
@@ -128,7 +128,7 @@ private slots:
         QVERIFY(std::ranges::count(origin->defaults, "angle") == 1);
         QVERIFY(std::ranges::count(origin->defaults, "l") == 1);
         QCOMPARE(origin->entered, std::vector<std::string>{"shape"});
-        // The profile of a form cutter is what its diameter is of others.
+        // The profile of a form cutter corresponds to the diameter of others.
         choose(editor, "form");
         QVERIFY(editor.tools().unconfirmedOrigin(1) != nullptr);
         auto* profile = editor.findChild<QLineEdit*>(QStringLiteral("tool-p"));

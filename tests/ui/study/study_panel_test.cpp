@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sweep and an optimisation from the panel: drawn while they run, cancelled, exported.
+// A sweep and an optimisation in the panel: drawn while they run, cancelled, exported.
 #include <QFile>
 #include <QImage>
 #include <QPushButton>
@@ -36,7 +36,7 @@ class StudyPanelTest : public QObject {
 private:
     QTemporaryDir m_folder;
 
-    /// A session with a small job, ready to be studied.
+    /// A session with a small job that is ready for a study.
     std::unique_ptr<Session> ready(int rows = 20, double grid = 1.0) {
         QFile nc(m_folder.filePath(QStringLiteral("a.nc")));
         [&] { QVERIFY(nc.open(QIODevice::WriteOnly)); }();
@@ -82,7 +82,7 @@ private slots:
     }
 
     void cancelsSoon() {
-        const auto session = ready(80, 0.05); // each run takes much longer than the way of a signal
+        const auto session = ready(80, 0.05); // each run takes much longer than the delivery of a signal
         StudyPanel panel(*session, rated);
         QSignalSpy ran(&panel.runner(), &StudyRunner::ran);
         QSignalSpy ended(&panel.runner(), &StudyRunner::ended);
@@ -120,7 +120,7 @@ private slots:
                          [](QThread* thread) { return OffscreenDrawing::create(160, 100, thread); });
         QSignalSpy ran(&panel.runner(), &StudyRunner::ran);
         QSignalSpy ended(&panel.runner(), &StudyRunner::ended);
-        for (int round = 1; round <= 2; ++round) { // the second one takes another thread
+        for (int round = 1; round <= 2; ++round) { // the second round uses another thread
             panel.findChild<QPushButton*>(QStringLiteral("study-run"))->click();
             QTRY_COMPARE_WITH_TIMEOUT(ended.count(), round, kLong);
         }

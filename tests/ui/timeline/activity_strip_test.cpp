@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array kKinds{Activity::rapid, Activity::air, Activity::cutting, Activity::rapidInStock};
 
-/// A block a line, of rapids and feeds in turns of random length.
+/// One block per line, alternating between rapids and feeds of random length.
 std::shared_ptr<const Program> randomProgram(std::mt19937& random, std::size_t blocks) {
     std::string text = "G21 G90 G1 F500\n";
     for (std::size_t block = 0; block < blocks; ++block) {
@@ -103,13 +103,13 @@ private slots:
             for (const Activity kind : kKinds) {
                 const int drawn = rows.at(static_cast<std::size_t>(kind));
                 QCOMPARE(drawn > 0, sums.has(kind));
-                // Half a row by rounding; the largest bears what it is for the others too.
+                // Half a row from rounding; the largest part also gets the differences of the others.
                 QVERIFY(drawn <= 1 || std::abs(drawn - sums.share(kind) * height) <= 2.5);
             }
         }
     }
 
-    /// Grown in steps against drawn at once, and each column against its blocks.
+    /// Compares an image that grows in steps with one drawn at once, and each column with its blocks.
     void growsAsItWouldBeDrawnAtOnce() {
         const unsigned seed = randomSeed();
         qInfo("PROVEOUT_SEED=%u", seed);
@@ -150,7 +150,7 @@ private slots:
         QCOMPARE(strip.update(log), 500);
         log.append(*program, rows, 5030);
         QCOMPARE(strip.update(log), 3);
-        log.setTimes(machineTimes(program, {})); // other shares
+        log.setTimes(machineTimes(program, {})); // changes the shares
         QCOMPARE(strip.update(log), 503);
         log.clear();
         strip.update(log);
@@ -177,7 +177,7 @@ private slots:
         }
         QCOMPARE(known, kBlocks);
         QVERIFY(!follower.follow(&frame));
-        frame.generation = 2; // an edit, a load
+        frame.generation = 2; // as after an edit or a load
         frame.statistics.truncate(100);
         QVERIFY(follower.follow(&frame));
         QCOMPARE(follower.log().size(), std::size_t{100});
@@ -198,15 +198,15 @@ private slots:
         log.append(*program, rows, 5);
         QVERIFY(lines(2, 3).contains(QStringLiteral("Block 3: Cutting")));
         QVERIFY(lines(2, 3).contains(QColor(Qt::green).name()));
-        QVERIFY(lines(0, 3).isEmpty()); // of which time is not known yet
+        QVERIFY(lines(0, 3).isEmpty()); // the times are not known yet
         log.setTimes(machineTimes(program, {}));
-        // Two of three blocks of one length and feed, less what starting and stopping takes.
+        // Two of three blocks with equal length and feed rate, minus acceleration and deceleration.
         const QString three = lines(1, 4);
         QVERIFY2(three.contains(QStringLiteral("Blocks 2 to 4")), qPrintable(three));
         QVERIFY2(three.contains(QStringLiteral("Cutting: 33.")), qPrintable(three));
         QVERIFY2(three.contains(QStringLiteral("Air cut: 66.")), qPrintable(three));
         QVERIFY(!three.contains(QStringLiteral("Rapid")));
-        QVERIFY(lines(3, 50).contains(QStringLiteral("Blocks 4 to 5"))); // as far as it is known
+        QVERIFY(lines(3, 50).contains(QStringLiteral("Blocks 4 to 5"))); // limited to the known blocks
         QVERIFY(!activitySummary(log).isEmpty());
     }
 
@@ -216,7 +216,7 @@ private slots:
             const QColor ground = palette.color(QPalette::Base);
             for (const Activity kind : kKinds)
                 QVERIFY(contrast(colorOf(colors, kind), ground) >= 3);
-            QVERIFY(contrast(colors.cutting, colors.air) >= 2); // without hue
+            QVERIFY(contrast(colors.cutting, colors.air) >= 2); // differ without hue
         }
     }
 

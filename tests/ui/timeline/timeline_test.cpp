@@ -49,12 +49,12 @@ private slots:
             return QPoint(static_cast<int>(std::lround(scale.positionOf(block))), 12);
         };
         QTest::mousePress(&scale, Qt::LeftButton, {}, place(100));
-        scale.setBlock(3); // a frame of before the drag does not pull the head away
+        scale.setBlock(3); // a frame from before the drag must not move the marker
         QTest::mouseMove(&scale, place(200));
         QTest::mouseRelease(&scale, Qt::LeftButton, {}, place(200));
         QCOMPARE(blocks.front(), std::size_t{100});
         QCOMPARE(blocks.back(), std::size_t{200});
-        QTest::mouseMove(&scale, place(50)); // without a button
+        QTest::mouseMove(&scale, place(50)); // no button pressed
         QCOMPARE(blocks.back(), std::size_t{200});
     }
 
@@ -72,7 +72,7 @@ private slots:
         QCOMPARE(stepped.front().front().value<std::ptrdiff_t>(), std::ptrdiff_t{1});
     }
 
-    /// Behind a mark farther right, and among others on its pixel.
+    /// Hidden behind a mark farther right, and among others on its pixel.
     void theWorstOfAPixelIsSeen() {
         TimelineScale scale;
         scale.resize(800, scale.sizeHint().height());
@@ -123,7 +123,7 @@ private slots:
                  qPrintable(QToolTip::text()));
     }
 
-    /// The tool of a program that calls none.
+    /// For a program without tool calls.
     void theTipNamesTheToolThatIsAssumed() {
         QTemporaryDir folder;
         QFile file(folder.filePath(QStringLiteral("p.nc")));
@@ -159,7 +159,7 @@ private slots:
         QVERIFY2(tip().contains(QStringLiteral("line 4 · no tool")), qPrintable(tip()));
     }
 
-    /// Where the time goes by tool.
+    /// The machine time by tool.
     void theTimeNamesTheToolThatIsAssumed() {
         MachineTimes times;
         times.tools = {{0, {}, 0}, {1, {}, 0}};
@@ -186,7 +186,7 @@ private slots:
         frame->program = std::make_shared<const Program>();
         frame->playing = true;
         auto& lag = *panel.findChild<QLabel*>(QStringLiteral("playback-lag"));
-        emit session.playback().tick(frame); // keeps its speed
+        emit session.playback().tick(frame); // keeps up with its speed
         QVERIFY(!lag.isVisible());
         const QRect before = panel.scale().geometry();
         session.playback().setSpeed(1000 * kUnitBlocksPerSecond);

@@ -41,7 +41,7 @@ double apart(const Vec2& a, const Vec2& b) {
     return glm::distance(a, b);
 }
 
-/// Where the matrices put a point, in pixels: what the graphics side does.
+/// The pixel of a point according to the matrices that the GPU uses.
 Vec2 byMatrix(const Camera& camera, const Vec3& point) {
     Box3 scene;
     scene.add(Vec3(-300));
@@ -119,7 +119,7 @@ void CameraTest::zoomKeepsThePointUnderThePointer() {
     for (int k = 0; k < 300; ++k) {
         Camera camera = random.camera();
         const Vec2 pixel(random.between(0, kWidth), random.between(0, kHeight));
-        // A point nearer or farther than the target, as a pick finds it.
+        // A point closer or farther than the target, as in a pick.
         const Ray ray = camera.ray(pixel.x, pixel.y);
         const Vec3 point = ray.origin + ray.direction * (random.between(0.6, 1.4) *
                                                          glm::distance(ray.origin, camera.target()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box of interest beside a direct simulation, and that it is never shown of another moment.
+// Compares a detail region with a direct simulation, and checks that it is never shown for another moment.
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -22,7 +22,7 @@ constexpr int kPatience = 30'000; // ms
 constexpr double kPlenty = 4e9;   // bytes
 constexpr double kFine = 0.05;    // mm
 const PlanBox kBox{{4, 4}, {9, 11}};
-/// More points than are cut and decimated before a test has changed its mind.
+/// More points than can be cut and decimated before a test changes the request.
 const BoxOfInterest kMuchWork{{{1, 1}, {19, 19}}, 0.01};
 
 std::shared_ptr<const Setup> setup() {
@@ -47,7 +47,7 @@ FramePtr frameAt(const std::shared_ptr<const Program>& program, const std::share
     return frame;
 }
 
-/// Lets a task begin, and come to an end that the event loop has not heard of yet.
+/// Lets a task start and finish without delivering its result to the event loop.
 void letItFinishUnheard(const CloserLook& look) {
     QTest::qWait(10);
     QVERIFY(look.working());
@@ -133,7 +133,7 @@ void CloserLookTest::showsTheMomentThatIsFollowed() {
     for (int i = 0; i < first->zmap.grid().nx; ++i)
         unlike = unlike || first->zmap.height(i, 70) != look.picture()->zmap.height(i, 70);
     QVERIFY(unlike);
-    // The same moment in a newer frame, and the way back before anything else was cut.
+    // The same moment in a newer frame, and back before anything else is cut.
     const FramePtr last = look.picture();
     look.follow(frameAt(m_program, m_setup, m_last->block));
     QCOMPARE(look.picture(), last);
@@ -154,7 +154,7 @@ void CloserLookTest::dropsWhatWasCutForAnotherMoment() {
     QVERIFY(look.picture() == nullptr);
     QTRY_VERIFY_WITH_TIMEOUT(!look.working(), kPatience);
     QCOMPARE(look.picture()->block, m_last->block);
-    // And while it is under way.
+    // The same while it is running.
     look.look(kMuchWork);
     QTest::qWait(10);
     look.follow(m_first);
@@ -196,11 +196,11 @@ void CloserLookTest::cancelLeavesNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
     QCOMPARE(look.picture()->block, m_last->block);
     const FramePtr picture = look.picture();
-    look.again(); // nothing is left to do
+    look.again(); // there is nothing to do
     QVERIFY(!look.working() && look.picture() == picture);
     look.follow(m_first);
     look.cancel();
-    look.follow(m_last); // the way back, before anything else was cut
+    look.follow(m_last); // back before anything else is cut
     QVERIFY(look.picture() == picture && !look.isLeft());
     look.follow(m_first);
     QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
@@ -257,7 +257,7 @@ void CloserLookTest::clicksAndDragsMakeBoxesWithinTheStock() {
     QCOMPARE(drag.box(stock, {4, 6}), (PlanBox{{-3, 4}, {5, 20}}));
     drag.dragTo({400, 400}, down(-300, 100));
     QCOMPARE(drag.box(stock, {4, 6}), (PlanBox{{-10, 20}, {5, 30}}));
-    // Along an axis there is still something to see.
+    // Along an axis the box still has a visible size.
     drag.dragTo({100, 300}, down(15, 20));
     const PlanBox flat = drag.box(stock, {4, 6});
     QVERIFY(std::abs(flat.hi.y - flat.lo.y - kLeastBoxSide) < 1e-9);

@@ -7,18 +7,18 @@
 
 namespace proveout {
 
-/// Builds frames by hand: cuts a z-map by a formula and decimates when it is told to.
+/// Builds frames by hand: cuts a z-map by a formula and decimates on request.
 class FrameBuilder {
 public:
     FrameBuilder(const StockBox& stock, double spacing, const DecimationParameters& parameters = {});
 
     [[nodiscard]] const Grid& grid() const { return m_zmap.grid(); }
-    /// Lowers the points of `rect` to height(x, y) (program coordinates) where that is lower.
+    /// Lowers the points of `rect` to height(x, y) (program coordinates) if that is lower.
     void cut(const IndexRect& rect, const std::function<double(double, double)>& height);
     void cutAll(const std::function<double(double, double)>& height);
     void decimate();
 
-    /// What a viewer is given; `program` and cutter are left out unless they are set.
+    /// The frame for a viewer; without program and cutter unless they are set.
     [[nodiscard]] FramePtr frame();
     void setProgram(std::shared_ptr<const Program> program, std::size_t block);
     void setCutter(const Cutter& cutter, const Vec3& tip);

@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kReported = 10; ///< frames that break the promise are told up to here, then counted
+constexpr int kReported = 10; ///< number of failing frames that are listed; further ones are only counted
 
 double percentile(const std::vector<double>& sorted, int percent) {
     return sorted[(sorted.size() - 1) * static_cast<std::size_t>(percent) / 100];

@@ -16,12 +16,12 @@ struct FrameFigures {
     [[nodiscard]] double total() const { return simulate + upload + draw; }
 };
 
-/// Prints mean times, triangles and bytes of the frames of so many equal runs.
+/// Prints mean times, triangles and bytes of the frames of the given number of equal runs.
 void printSums(const char* name, const std::vector<FrameFigures>& frames, int pairs);
-/// Prints the 50th, 95th and 99th percentile of frame time, and how they compare.
+/// Prints the 50th, 95th and 99th percentile of the frame time, and their ratio.
 void printPercentiles(const std::vector<FrameFigures>& with, const std::vector<FrameFigures>& without);
-/// Prints the frames where `figure` is more with decimation than without; returns how many they are. Frame k
-/// is of block k * every.
+/// Prints the frames in which `figure` is larger with decimation than without; returns their number. Frame k
+/// belongs to block k * every.
 std::size_t compare(const char* name, const std::vector<FrameFigures>& with,
                     const std::vector<FrameFigures>& without, std::size_t every,
                     std::size_t FrameFigures::*figure);

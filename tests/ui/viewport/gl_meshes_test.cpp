@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the renderer builds before anything goes to the graphics side.
+// What the renderer creates before anything is uploaded to the GPU.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -59,7 +59,7 @@ void GlMeshesTest::slotsNeverOverlap() {
                 std::prev(next)->second.offset + std::prev(next)->second.capacity <= slot.offset);
         taken.emplace(slot.offset, slot);
     }
-    QVERIFY(allocator.extent() < 20000u * 64u); // Freed places are used again.
+    QVERIFY(allocator.extent() < 20000u * 64u); // freed slots are reused
 }
 
 void GlMeshesTest::cutterIsClosedAndToScale_data() {
@@ -72,7 +72,8 @@ void GlMeshesTest::cutterIsClosedAndToScale_data() {
         QTest::newRow(shape.key) << QString::fromStdString(defaultSpecOf(shape));
 }
 
-/// How far a place in r-z is from the profile, the back of a head and its walls, mm of height.
+/// The distance in height of an r-z position from the profile, the back of a slot cutter or lollipop, and its
+/// walls, mm.
 static double distanceFromProfile(const Cutter& cutter, double r, double z) {
     std::vector<ProfilePiece> pieces = cutter.pieces();
     if (cutter.head())
@@ -103,8 +104,8 @@ void GlMeshesTest::cutterIsClosedAndToScale() {
     }
     for (const auto& [edge, count] : edges)
         QCOMPARE(edges[std::pair(edge.second, edge.first)], count);
-    QVERIFY(volume > 0); // Outside is outside.
-    // The fluted part lies on the profile.
+    QVERIFY(volume > 0); // the triangles face outwards
+    // The fluted part is on the profile.
     for (const CutterVertex& vertex : mesh) {
         const double r = std::hypot(vertex.position.x, vertex.position.y);
         if (vertex.part < 0.5f && r < cutter.radius() * 0.999)
@@ -113,7 +114,7 @@ void GlMeshesTest::cutterIsClosedAndToScale() {
     }
 }
 
-/// Top, walls and underside together: every edge has its opposite.
+/// Checks top, walls and underside together: every edge has an opposite edge.
 static void isClosed(const SurfaceSnapshot& surface) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -148,7 +149,7 @@ void GlMeshesTest::wallsCloseTheSurface() {
 }
 
 void GlMeshesTest::wallsCloseMergedRegions() {
-    // Merged meshes leave out points of the borders, at the edge of the stock too.
+    // Merged meshes omit points of the borders, also at the edge of the stock.
     DecimationParameters parameters;
     parameters.regionCells = 8;
     FrameBuilder builder({{0, 0, 0}, 133, 70, 10}, 1, parameters);
@@ -184,7 +185,7 @@ void GlMeshesTest::pathFollowsTheMotions() {
     QCOMPARE(lines.blockFirst.size(), std::size_t{4});
     QCOMPARE(lines.verticesBefore(0), std::size_t{0});
     QCOMPARE(lines.verticesBefore(1), std::size_t{2});
-    QCOMPARE(lines.verticesBefore(3), lines.vertices.size()); // What is not known is not drawn.
+    QCOMPARE(lines.verticesBefore(3), lines.vertices.size()); // unknown motions are not drawn
     for (std::size_t k = 2; k < lines.vertices.size(); ++k) {
         const Vec3 at = lines.origin + Vec3(lines.vertices[k].position);
         QVERIFY(std::abs(glm::distance(at, arc.centre) - 5) < 0.001);
@@ -200,7 +201,7 @@ void GlMeshesTest::pathFollowsTheMotions() {
 }
 
 void GlMeshesTest::overviewStaysNearThePath() {
-    // Rows of short motions over hills, with rapids between them.
+    // Rows of short motions over hills, separated by rapids.
     constexpr int kRows = 60;
     constexpr int kSteps = 400;
     auto program = std::make_shared<Program>();
@@ -231,12 +232,12 @@ void GlMeshesTest::overviewStaysNearThePath() {
     int calls = 0;
     for (; !overview.whole(); ++calls)
         overview.advance(UploadBudget(std::chrono::seconds(0)));
-    QVERIFY(calls > 10); // in parts
+    QVERIFY(calls > 10); // several parts
     const std::vector<PathVertex>& vertices = overview.vertices();
     QVERIFY2(vertices.size() / 2 < program->blockCount() / 5, qPrintable(QString::number(vertices.size())));
     QCOMPARE(overview.verticesBefore(0), std::size_t{0});
     QCOMPARE(overview.verticesBefore(program->blockCount()), vertices.size());
-    // Every end lies on the line that its block is part of, which may begin a few blocks earlier.
+    // Every end is on the line that contains its block, which may start a few blocks earlier.
     for (std::size_t block = 0; block < ends.size(); block += 7) {
         const std::size_t until = overview.verticesBefore(block + 1);
         double nearest = 1e9;
@@ -252,7 +253,7 @@ void GlMeshesTest::overviewStaysNearThePath() {
 
 namespace {
 
-/// Blocks of so many motions each, up and down and on; or of arcs with many turns.
+/// Blocks with the given number of motions each, alternating up and down; or arcs with many turns.
 std::shared_ptr<const Program> manyMotions(int blocks, int motionsOfBlock, bool arcs) {
     auto program = std::make_shared<Program>();
     Motion motion;
@@ -299,7 +300,7 @@ void GlMeshesTest::pathOfAFrameHasFewMotions() {
     QVERIFY(end.first == 220 && end.last == 300);
 }
 
-/// However often the path goes up and down, which no tolerance makes one line of.
+/// No tolerance can simplify a path that goes up and down many times.
 void GlMeshesTest::overviewOfManyMotionsEnds() {
     const auto program = manyMotions(4, 100'000, false);
     PathOverview overview;
@@ -308,7 +309,7 @@ void GlMeshesTest::overviewOfManyMotionsEnds() {
     for (; !overview.whole() && calls < 1'000'000; ++calls)
         overview.advance(UploadBudget(std::chrono::seconds(0)));
     QVERIFY(overview.whole());
-    QVERIFY(calls > 100); // a block is taken in parts
+    QVERIFY(calls > 100); // a block is processed in parts
     QVERIFY(overview.vertices().size() <= 2 * PathOverview::kMostLines);
 }
 

@@ -29,7 +29,7 @@ OffscreenPicture::~OffscreenPicture() {
 
 QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const SceneOptions& options,
                               const FramePtr& box, const UploadBudget& ofBox) {
-    m_context.makeCurrent(&m_surface); // A test may hold two of them.
+    m_context.makeCurrent(&m_surface); // a test may use two of them
     QOpenGLFramebufferObjectFormat format;
     format.setAttachment(QOpenGLFramebufferObject::Depth);
     format.setSamples(m_samples);

@@ -11,21 +11,21 @@
 
 namespace proveout {
 
-/// A context of OpenGL 3.3 without a window, and a scene renderer in it.
+/// An OpenGL 3.3 context without a window, with a scene renderer.
 class OffscreenPicture {
 public:
     OffscreenPicture();
     ~OffscreenPicture();
 
-    /// False where this machine or platform has no OpenGL 3.3.
+    /// False if this machine or platform has no OpenGL 3.3.
     [[nodiscard]] bool usable() const { return m_renderer != nullptr; }
     [[nodiscard]] SceneRenderer& renderer() { return *m_renderer; }
-    /// Of a pixel in the next pictures; 0: edges are not smoothed.
+    /// Samples per pixel for the next images; 0: no antialiasing.
     void setSamples(int samples) { m_samples = samples; }
     /// Uploads and draws.
     [[nodiscard]] QImage draw(const FramePtr& frame, const View& view, const SceneOptions& options = {},
                               const FramePtr& box = nullptr, const UploadBudget& ofBox = {});
-    /// Of the last draw().
+    /// The uploads of the last draw().
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
 
 private:

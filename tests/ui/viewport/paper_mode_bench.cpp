@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The promise, measured: a job run block by block, each block cut, decimated where it is due, uploaded and
-// drawn, with decimation and without. Both runs of a pair advance in turn, and take turns in going first, so
-// that the machine's other work hits them alike. On every frame triangles drawn and bytes uploaded are
-// compared; exits with 1 where decimation drew or uploaded more.
+// Measures the guarantee: runs a job block by block, where each block is cut, decimated when due, uploaded
+// and drawn, with and without decimation. Both runs of a pair advance alternately, and alternate in which one
+// is first, so that other load on the machine affects both equally. Compares the triangles drawn and bytes
+// uploaded in every frame; exits with 1 if decimation drew or uploaded more.
 //     paper_mode_bench JOB [--size 1280x800] [--every N] [--pairs N] [--blocks N] [--grid MM] [--hold-back]
 #include <algorithm>
 #include <array>
@@ -41,20 +41,20 @@ struct Options {
     std::size_t every = 1;
     int pairs = 1;
     std::size_t blocks = 0; ///< 0: all
-    double grid = 0;        ///< 0: the job's
-    bool holdBack = false;  ///< as playback does in the window; else decimation is carried out come what may
+    double grid = 0;        ///< 0: that of the job
+    bool holdBack = false;  ///< as playback does in the window; otherwise decimation always runs
 };
 
 /// One of the two runs of a pair.
 struct Run {
     std::unique_ptr<Simulation> simulation;
     std::unique_ptr<SceneRenderer> renderer;
-    double waiting = 0; ///< seconds of blocks that were not drawn, for the next frame
+    double waiting = 0; ///< seconds of blocks that were not drawn, added to the next frame
     std::vector<FrameFigures> frames;
     std::optional<HoldBack> holdBack;
     DecimationParameters wanted;
 
-    /// Tells the simulation what is decided after the frame shown last.
+    /// Sets the parameters that are decided after the last shown frame.
     void follow() {
         DecimationParameters played = wanted;
         if (holdBack->held())
@@ -110,7 +110,7 @@ struct Run {
             waiting += seconds(timer);
     }
 };
-using Pair = std::array<Run, 2>; ///< with decimation, without
+using Pair = std::array<Run, 2>; ///< with and without decimation
 
 struct Workload {
     std::shared_ptr<const Program> program;
@@ -193,7 +193,7 @@ int bench(const QString& file, const Options& options) {
             std::fprintf(stderr, "%s\n", oneLine(pair.error().front()).c_str());
             return 3;
         }
-        if (number == 0) // the others have the same figures
+        if (number == 0) // the others have the same values
             broken =
                 compare("triangles", (*pair)[0].frames, (*pair)[1].frames, options.every,
                         &FrameFigures::triangles) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The renderer's pictures, looked at pixel by pixel. The backdrop is magenta, which nothing else is.
+// Checks the renderer's images pixel by pixel. The backdrop is magenta, a colour that nothing else has.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -20,7 +20,7 @@ using namespace proveout;
 namespace {
 
 const StockBox kStock{{0, 0, 0}, 100, 70, 20};
-const StockBox kBoxStock{{40, 20, 0}, 20, 20, 20}; // a box of interest in it
+const StockBox kBoxStock{{40, 20, 0}, 20, 20, 20}; // contains a detail region
 
 Box3 stockBox() {
     Box3 box;
@@ -58,12 +58,12 @@ double hills(double x, double y) {
     return -6 + 3 * std::sin(x * 0.13) * std::cos(y * 0.11) + (std::hypot(x - 60, y - 30) < 15 ? -5 : 0);
 }
 
-/// A part of the pixel at least; the stock itself is grey.
+/// At least part of the pixel is backdrop; the stock itself is grey.
 bool showsBackdrop(QRgb pixel) {
     return std::min(qRed(pixel), qBlue(pixel)) - qGreen(pixel) > 40;
 }
 
-/// Backdrop pixels of `picture` whose whole neighbourhood is stock in `reference`.
+/// Backdrop pixels of `picture` that are completely surrounded by stock in `reference`.
 int cracks(const QImage& picture, const QImage& reference, bool (*open)(QRgb) = isBackdrop) {
     int count = 0;
     for (int y = 2; y < picture.height() - 2; ++y)
@@ -79,7 +79,7 @@ int cracks(const QImage& picture, const QImage& reference, bool (*open)(QRgb) = 
     return count;
 }
 
-/// A stock of which about half is decimated, and the same heights drawn from the z-map alone.
+/// A stock of which about half is decimated, and the same heights drawn from the z-map only.
 struct HalfDirty {
     FramePtr frame;
     FramePtr full;
@@ -165,7 +165,7 @@ void SceneRendererTest::uncutBlockFillsItsOutline() {
         for (std::size_t view = 0; view < kStandardViews; ++view) {
             const Camera camera = cameraAt(static_cast<StandardView>(view), perspective);
             const QImage picture = draw(builder.frame(), camera, testOptions());
-            // A point of the picture is stock where the ray through it meets the box.
+            // A pixel shows stock if the ray through it hits the box.
             int wrong = 0;
             for (int y = 0; y < picture.height(); ++y)
                 for (int x = 0; x < picture.width(); ++x) {
@@ -274,7 +274,7 @@ void SceneRendererTest::pathHasTheColourOfItsMotion() {
 }
 
 void SceneRendererTest::hiddenPathIsSeenThroughTheStock() {
-    // Far from the block that is executed, so that it is no part of the path near the cutter.
+    // Far from the current block, so that it is not part of the path near the cutter.
     auto program = std::make_shared<Program>();
     const auto append = [&](const Vec3& from, const Vec3& to) {
         Motion feed;
@@ -311,7 +311,7 @@ void SceneRendererTest::hiddenPathIsSeenThroughTheStock() {
         SceneOptions options;
         options.colours = colours;
         options.path = PathShown::none;
-        static_cast<void>(draws(options)); // brings the program
+        static_cast<void>(draws(options)); // uploads the program
         const QImage none = draws(options);
         options.path = PathShown::nearCutter;
         options.pathThroughStock = false;
@@ -324,7 +324,7 @@ void SceneRendererTest::hiddenPathIsSeenThroughTheStock() {
         QCOMPARE(inkAt(solid, none, hidden), 0);
         const int dimmed = inkAt(through, none, hidden);
         QVERIFY2(dimmed > 15 && dimmed < inkAt(through, none, near) / 2, qPrintable(QString::number(dimmed)));
-        // Beside the stock nothing hides it: there it is near the cutter or not drawn.
+        // Next to the stock, where nothing hides the path, it is only drawn near the cutter.
         QCOMPARE(inkAt(through, solid, near), 0);
     }
 }
@@ -392,7 +392,7 @@ void SceneRendererTest::decimationDoesNotShow() {
 }
 
 void SceneRendererTest::indicesOfAnyWidthDrawTheSame() {
-    // 501 points a row: 100 rows are counted with 16 bits, 256 are not.
+    // 501 points per row: 16-bit indices are sufficient for 100 rows, but not for 256.
     const Camera camera = cameraAt(StandardView::iso, true);
     std::vector<QImage> pictures;
     for (const int cells : {100, 256}) {
@@ -405,14 +405,14 @@ void SceneRendererTest::indicesOfAnyWidthDrawTheSame() {
         builder.decimate();
         QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), full), 0);
         builder.cut({120, 120, 140, 140},
-                    [](double, double) { return -6.0; }); // one dirty among decimated ones
+                    [](double, double) { return -6.0; }); // one dirty region among decimated ones
         QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), full), 0);
     }
     QCOMPARE(pictures[0], pictures[1]);
 }
 
 void SceneRendererTest::mergedRegionsAreDrawnWhole() {
-    // The points of a region are counted with 16 bits, those of all regions together are not.
+    // 16-bit indices are sufficient for the points of a region, but not for those of all regions.
     DecimationParameters parameters;
     FrameBuilder builder(kStock, 0.2, parameters);
     builder.cutAll(hills);
@@ -429,7 +429,7 @@ void SceneRendererTest::mergedRegionsAreDrawnWhole() {
     builder.decimate();
     QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), reference), 0);
     QCOMPARE(cracks(draw(atRest, camera, testOptions()), reference), 0);
-    // Where the top meets the sides.
+    // The edges between the top and the sides.
     for (const StandardView view : {StandardView::iso, StandardView::right, StandardView::front})
         for (const double zoom : {0.7, 0.3, 0.1}) {
             Camera near = cameraAt(view, true);
@@ -460,7 +460,7 @@ void SceneRendererTest::noCracksInHalfDirtyStates() {
 }
 
 void SceneRendererTest::cracksWouldBeSeen() {
-    // Borders as in the paper do crack; a test that cannot see it proves nothing.
+    // The paper's borders do crack; the test must detect that.
     DecimationParameters parameters;
     parameters.borders = BorderRule::paper;
     parameters.allowance = 0.5;
@@ -474,7 +474,7 @@ void SceneRendererTest::cracksWouldBeSeen() {
 }
 
 void SceneRendererTest::uploadsOnlyWhatChanged() {
-    OffscreenPicture picture; // A renderer that has seen nothing yet.
+    OffscreenPicture picture; // a renderer without any previous upload
     const Camera camera = cameraAt(StandardView::iso, true);
     const View view = camera.view(stockBox());
     FrameBuilder builder({{0, 0, 0}, 200, 200, 20}, 1);
@@ -489,8 +489,8 @@ void SceneRendererTest::uploadsOnlyWhatChanged() {
     QCOMPARE(picture.uploaded().lists, std::size_t{0});
     QCOMPARE(picture.uploaded().indices, std::size_t{0});
 
-    // One region becomes dirty: its heights go up, a list that meets its neighbours' polylines, and, once for
-    // all regions of this size, the pattern that fills it.
+    // One region becomes dirty: this uploads its heights, a list that matches its neighbours' polylines, and,
+    // once for all regions of this size, the pattern that fills it.
     builder.cut({81, 81, 87, 87}, [](double, double) { return -2.0; });
     static_cast<void>(picture.draw(builder.frame(), view));
     QCOMPARE(picture.uploaded().tiles, std::size_t{1});
@@ -499,9 +499,9 @@ void SceneRendererTest::uploadsOnlyWhatChanged() {
     static_cast<void>(picture.draw(builder.frame(), view));
     QCOMPARE(picture.uploaded().lists, std::size_t{1});
     const auto cells = static_cast<std::size_t>(builder.frame()->surface.grid.cells());
-    QVERIFY(picture.uploaded().indices <= 6 * 4 * (cells - 1)); // of the cells along its borders
+    QVERIFY(picture.uploaded().indices <= 6 * 4 * (cells - 1)); // those of the cells along its borders
 
-    // Cut again while it is dirty: heights alone.
+    // Cut again while it is dirty: only heights are uploaded.
     builder.cut({81, 81, 87, 87}, [](double, double) { return -3.0; });
     static_cast<void>(picture.draw(builder.frame(), view));
     QCOMPARE(picture.uploaded().tiles, std::size_t{1});
@@ -525,7 +525,7 @@ void SceneRendererTest::anotherGridReplacesTheOldOne() {
 }
 
 void SceneRendererTest::staysRightFarFromTheOrigin() {
-    // The same stock 80 m away looks the same: positions go to the graphics side relative to the stock.
+    // The same stock 80 m away looks the same, because positions on the GPU are relative to the stock.
     FrameBuilder here(kStock, 1);
     here.cutAll(hills);
     const Vec3 away(80000, -80000, 500);
@@ -548,7 +548,7 @@ void SceneRendererTest::staysRightFarFromTheOrigin() {
 void SceneRendererTest::boxReplacesWhatIsThere() {
     FrameBuilder around(kStock, 1);
     around.decimate();
-    // A groove that no point of the grid around it meets, in one half of the box.
+    // A groove between the points of the grid around it, in one half of the detail region.
     FrameBuilder box(kBoxStock, 0.1);
     box.cutAll([](double x, double) { return std::abs(x - 44.5) < 0.45 ? -8.0 : 0.0; });
     box.decimate();
@@ -597,7 +597,7 @@ void SceneRendererTest::boxComesInPartsAndIsShownWhole() {
     const QImage with = drawn(box, {});
     const QImage withOther = drawn(other, {});
     QVERIFY(with != without && withOther != with && withOther != without);
-    // One step a picture; while the first is on its way the other one takes its place.
+    // One step per frame; the second region replaces the first during its upload.
     const UploadBudget none(std::chrono::seconds(0));
     const auto bring = [&](const FramePtr& wanted, int most) {
         int steps = 0;
@@ -606,26 +606,26 @@ void SceneRendererTest::boxComesInPartsAndIsShownWhole() {
             if (!m_picture->renderer().boxPending())
                 return std::pair(steps, picture);
             if (picture != without)
-                return std::pair(-1, picture); // a part of it is shown
+                return std::pair(-1, picture); // part of it is shown
         }
         return std::pair(steps, QImage());
     };
     QCOMPARE(bring(box, 5).first, 5);
     const auto [back, picture] = bring(other, 1000);
-    QCOMPARE(back, 5); // the rest of it was still there
+    QCOMPARE(back, 5); // the rest was still uploaded
     QCOMPARE(picture, withOther);
     QCOMPARE(drawn(nullptr, {}), without);
     const auto [steps, again] = bring(box, 1000);
     QVERIFY2(steps > 20, qPrintable(QString::number(steps)));
     QCOMPARE(again, with);
-    // Given back, it comes anew.
+    // After its release it is uploaded again.
     m_picture->renderer().releaseBox();
     QCOMPARE(drawn(nullptr, {}), without);
     QCOMPARE(drawn(box, {}), with);
 }
 
 void SceneRendererTest::boxLeavesNoCracks() {
-    // Fine ridges make steps of both signs against the surface around.
+    // Fine ridges cause steps up and down to the surface around.
     FrameBuilder around(kStock, 1);
     around.cutAll(hills);
     around.decimate();
@@ -643,12 +643,12 @@ void SceneRendererTest::boxLeavesNoCracks() {
 }
 
 void SceneRendererTest::boxAtTheEdgeOfTheStockLeavesNoCracks() {
-    // Both surfaces are the same one, so that all of what the stock covers without a box is covered with it.
-    // Far from the origin of the stock, where single precision is coarsest.
+    // Both surfaces are equal, so a detail region must cover the same pixels as the stock without it. Far
+    // from the origin of the stock, where single precision is coarsest.
     FrameBuilder around(kStock, 1);
     around.cutAll(hills);
     around.decimate();
-    const StockBox rim{{87.3, 41.7, 0}, 12.7, 28.3, 20}; // reaches the right side and the back
+    const StockBox rim{{87.3, 41.7, 0}, 12.7, 28.3, 20}; // reaches the right and back sides
     FrameBuilder box(rim, 0.1);
     box.cutAll(hills);
     box.decimate();

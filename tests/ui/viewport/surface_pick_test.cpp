@@ -12,7 +12,7 @@ using namespace proveout;
 
 namespace {
 
-/// Height of the stock over a place, by the definition of the canonical full mesh; the floor outside.
+/// Height of the stock at a position, by the definition of the canonical full mesh; the floor outside.
 double stockTop(const ZMapSnapshot& zmap, double x, double y) {
     const Grid& grid = zmap.grid();
     const double u = (x - grid.x0) / grid.hx;
@@ -45,7 +45,7 @@ bool inStock(const ZMapSnapshot& zmap, const Vec3& point) {
 }
 
 FramePtr randomStock(std::mt19937& random) {
-    std::uniform_real_distribution<double> depth(-24, 3); // Some below the floor at -20, some above the top.
+    std::uniform_real_distribution<double> depth(-24, 3); // some below the floor at -20, some above the top
     FrameBuilder builder({{10, -5, 7}, 40, 30, 20}, 2.5);
     builder.cutAll([&](double, double) { return 7 + depth(random); });
     return builder.frame();
@@ -82,7 +82,7 @@ void SurfacePickTest::hitsWhatAMarchOfSmallStepsHits() {
         const auto picked = pickStock(frame->zmap, ray);
         const QByteArray where = "seed 77, ray " + QByteArray::number(k);
         if (marched >= 180) {
-            // A march may step over a sliver; what was picked there must still be stock.
+            // The march may miss a sliver; a picked point must still be stock.
             QVERIFY2(!picked || inStock(frame->zmap, *picked + direction * 1e-6), where);
             continue;
         }
@@ -123,7 +123,7 @@ void SurfacePickTest::aPlaceMeansTheFootOfItsWall() {
         QVERIFY(wall && wall->x > 9 && wall->x < 10);
         QCOMPARE(mapPointAt(zmap, *wall), (std::optional<MapPoint>({10, 7})));
     }
-    // On the level, the nearest.
+    // On a level surface, the nearest point.
     QCOMPARE(mapPointAt(zmap, {14.6, 3.4, -6}), (std::optional<MapPoint>({15, 3})));
     QCOMPARE(mapPointAt(zmap, {20, 20, -6}), (std::optional<MapPoint>({20, 20})));
 }
@@ -139,7 +139,7 @@ void SurfacePickTest::theOutsideOfTheStockIsNoPointOfTheMap() {
 }
 
 void SurfacePickTest::aCloserLookIsMetInThePlaceOfTheStock() {
-    // A ridge beside the box; in the box the fine map lies a little higher or lower.
+    // A ridge next to the detail region, in which the fine map is slightly higher or lower.
     const auto height = [](double x, double) { return x < 8 ? 0.0 : -6.0; };
     FrameBuilder builder({{0, 0, 0}, 20, 20, 10}, 1);
     builder.cutAll(height);
@@ -157,7 +157,7 @@ void SurfacePickTest::aCloserLookIsMetInThePlaceOfTheStock() {
         const PickedPlace beside = at({17.2, 7.3, 40}, {17.2, 7.3, 0});
         QVERIFY(beside.moment == whole);
         QCOMPARE(beside.point, (std::optional<MapPoint>({17, 7})));
-        // The ridge stands before the box.
+        // The ridge hides the detail region.
         QVERIFY(at({-20, 7.3, 0}, {12, 7.3, -6}).moment == whole);
         QVERIFY(at({40, 7.3, 10}, {12, 7.3, -6}).moment == closer);
     }

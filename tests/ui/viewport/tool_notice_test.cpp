@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kPatience = 20'000; ///< ms
 
-/// A session with a notice over a plain widget that stands for the view.
+/// A session with a notice over a plain widget in place of the view.
 struct Bench {
     QTemporaryDir folder;
     Session session;
@@ -33,7 +33,7 @@ struct Bench {
         return written && opened(session, name) &&
                QTest::qWaitFor([this] { return session.simulation().frame() != nullptr; }, kPatience);
     }
-    /// Plays to the end, so that every finding is there.
+    /// Plays to the end, so that all findings are complete.
     bool finish() {
         session.playback().seek(session.program().blockCount());
         return QTest::qWaitFor(
@@ -56,7 +56,7 @@ struct Bench {
     }
 };
 
-/// Rapids into the stock.
+/// Contains rapids into the stock.
 const char* const kMissing = "G21 G90\nT3 M6\nG0 X0 Y0 Z5\nG1 Z-2 F100\nX20\nG0 X0\nZ5\nM30\n";
 const char* const kCommented =
     "(T3 D=6. CR=0. - FLAT END MILL)\nG21 G90\nT3 M6\nG0 X0 Y0 Z5\nG1 Z-2 F100\nX20\nG0 X0 Y20\nZ5\nM30\n";
@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(bench.text(),
                  QStringLiteral("Nothing is cut. T3 is not in the tool table; its moves are not "
                                 "simulated."));
-        QVERIFY(!bench.session.problems().all().empty()); // so the panel says nothing of "No problems"
+        QVERIFY(!bench.session.problems().all().empty()); // so the panel does not show "No problems"
 
         QSignalSpy asked(&bench.session.navigation(), &NavigationHub::toolRequested);
         bench.click("toolNoticeDefine");
@@ -112,7 +112,7 @@ private slots:
         QVERIFY(bench.session.simulation().frame()->removedMm3 > 0);
         QTRY_VERIFY(bench.isShown());
         QVERIFY(bench.text().startsWith(QStringLiteral("T3 was read from the comment in line 1")));
-        QVERIFY(!bench.has(Severity::fault)); // the rapid cuts, with a tool that nobody has confirmed
+        QVERIFY(!bench.has(Severity::fault)); // the rapid cuts with an unconfirmed tool
         QVERIFY(bench.has(Severity::warning));
 
         bench.click("toolNoticeMend");

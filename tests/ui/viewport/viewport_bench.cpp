@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's opening case: 500 x 500 mm at 1 mm, 500 000 triangles, played in a 3D view of 1280 x 800.
-// Prints pictures a second with decimation and without, and what a picture costs.
+// Prints frames per second with and without decimation, and the cost of a frame.
 //     viewport_bench [SECONDS]
 #include <cmath>
 #include <cstdio>
@@ -24,7 +24,7 @@ constexpr double kStepOver = 5;
 constexpr double kStep = 5;
 constexpr double kBlocksPerSecond = 500;
 
-/// A wavy surface, milled along X line by line.
+/// A wavy surface, milled along X row by row.
 void writeProgram(const std::string& file) {
     std::ofstream out(file);
     out << "G21 G90 G17 T1 M6 S8000 M3 F3000\nG0 X0 Y0 Z10\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 3D view on a session that runs a sample: gestures, keys, and what it tells the session.
+// The 3D view with a session that runs a sample: gestures, keys, and what it reports to the session.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,7 +22,7 @@ using namespace proveout;
 namespace {
 
 constexpr int kPatience = 30'000; // ms
-constexpr int kQuiet = 150;       // ms; what is to be painted is painted sooner
+constexpr int kQuiet = 150;       // ms; pending repaints are done within this time
 const QString kSample = QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout");
 
 void wheel(QWidget& widget, const QPointF& at, int angle) {
@@ -38,7 +38,7 @@ QAction* command(const QWidget& widget, const char* id) {
     return nullptr;
 }
 
-/// Of the colour of the edge of a box of interest.
+/// The number of pixels in the colour of a detail region's edge.
 std::size_t boxPixels(const QImage& image) {
     constexpr int kNear = 8;
     const glm::vec3 colour = 255.0F * SceneColours().box;
@@ -197,7 +197,7 @@ void ViewportTest::keysChooseViewsAndSwitches() {
     QTest::keyClick(m_view, Qt::Key_L);
     QVERIFY(!m_view->options().wireframe && !m_view->options().tint && m_view->legendShown());
     QVERIFY(m_view->grabFramebuffer() != shown);
-    // Path: one of three.
+    // The path commands are exclusive.
     command(*m_view, "path-whole")->trigger();
     QCOMPARE(m_view->options().path, PathShown::whole);
     QVERIFY(!command(*m_view, "path-near")->isChecked());
@@ -210,8 +210,8 @@ void ViewportTest::repaintsOnNewFramesOnly() {
     QTRY_VERIFY_WITH_TIMEOUT(m_view->atRest(), kPatience);
     int painted = 0;
     connect(m_view, &QOpenGLWidget::aboutToCompose, this, [&] { ++painted; });
-    // What is asked for is painted some milliseconds later: here the smoothed picture, asked for at that
-    // moment.
+    // Pending repaints are done some milliseconds later; here the antialiased image, which was requested just
+    // now.
     for (int before = -1; std::exchange(before, painted) != painted;)
         QTest::qWait(kQuiet);
     painted = 0;
@@ -219,7 +219,7 @@ void ViewportTest::repaintsOnNewFramesOnly() {
     for (int k = 1; k <= 3; ++k) {
         m_session->playback().requestTick();
         QTRY_COMPARE_WITH_TIMEOUT(ticks.count(), k, kPatience);
-        QTest::qWait(kQuiet); // paints what the tick has asked for
+        QTest::qWait(kQuiet); // does the repaint requested by the tick
     }
     QCOMPARE(painted, 0);
     m_session->playback().step(1);
@@ -227,7 +227,7 @@ void ViewportTest::repaintsOnNewFramesOnly() {
 }
 
 void ViewportTest::grabsLookLikeTheScreen() {
-    // Legend and axes too, and opaque: what is blended keeps no hole for the window system to look through.
+    // With legend and axes, and opaque: blending must not leave transparent pixels for the window system.
     const QImage all = m_window->grab().toImage();
     m_view->setLegendShown(false);
     const QImage withoutLegend = m_window->grab().toImage();
@@ -239,7 +239,8 @@ void ViewportTest::grabsLookLikeTheScreen() {
 }
 
 void ViewportTest::survivesAnotherWindow() {
-    // A widget that changes its window may lose its context; what lies on the graphics side is made anew.
+    // A widget that moves to another window may lose its context, and then the GPU resources are created
+    // again.
     QMainWindow other;
     other.resize(900, 640);
     other.setCentralWidget(m_view);
@@ -292,10 +293,10 @@ void ViewportTest::aClickLooksCloser() {
     QVERIFY(std::abs(look.picture()->zmap.grid().hx - 0.01) < 1e-3);
     QVERIFY(m_view->grabFramebuffer() != before);
 
-    // Other numbers: the same middle.
+    // With other numbers the centre stays.
     spacing->setValue(0.05);
     QVERIFY(look.working() && look.picture() == nullptr);
-    // The outline of what is being cut.
+    // The outline of the region that is being cut.
     QCOMPARE(boxPixels(before), std::size_t{0});
     QVERIFY(boxPixels(m_view->grabFramebuffer()) > 50);
     QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
@@ -303,7 +304,7 @@ void ViewportTest::aClickLooksCloser() {
     m_view->findChild<QDoubleSpinBox*>(QStringLiteral("closerWidth"))->setValue(6);
     QVERIFY(std::abs(look.box()->box.hi.x - look.box()->box.lo.x - 6) < 1e-9);
 
-    // Another block: nothing old is there, and in the end the new one.
+    // At another block the old region is hidden, and the new one appears when it is complete.
     m_session->playback().seek(60);
     QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr && look.picture()->block == 60, kPatience);
     QTest::keyClick(m_view, Qt::Key_Escape);

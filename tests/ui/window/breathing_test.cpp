@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The event loop goes on while a large program plays, is sought through, loaded anew or stopped. Other work
-// on the machine stretches every gap, so none is judged by the clock alone: what the UI thread computes
-// between two beats is told by its own processor time, and what it waits by how much a thread beside it was
-// held up in the same seconds.
+// The event loop must keep running while a large program is played, sought, loaded again or stopped. Other
+// load on the machine lengthens every gap, so wall time alone decides nothing: the computing of the UI thread
+// between two beats is measured by its CPU time, and its waiting by how much a control thread was delayed in
+// the same seconds.
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -24,16 +24,16 @@
 namespace proveout {
 namespace {
 
-constexpr double kLongestGapMs = 250; // with OpenGL in software; of 99 % of the gaps
+constexpr double kLongestGapMs = 250; // with OpenGL in software; applies to 99 % of the gaps
 
-/// 99 % of the values are not above it.
+/// The value that 99 % of the values do not exceed.
 double percentile99(std::vector<double> values) {
     std::ranges::sort(values);
     return values.empty() ? 0 : values[values.size() * 99 / 100];
 }
 
-/// A thread that computes a little now and then, and tells how many times longer that takes than it would
-/// alone.
+/// A thread that does small computations at intervals, and measures how much longer they take than without
+/// other load.
 class Control {
 public:
     Control() : m_thread([this](const std::stop_token& stop) { run(stop); }) {}
@@ -56,18 +56,18 @@ private:
     static constexpr double kBurstMs = 10;
     std::atomic<double> m_wallMs = 0;
     std::atomic<double> m_cpuMs = 0;
-    std::jthread m_thread; ///< last: it ends before what it writes to
+    std::jthread m_thread; ///< last member: it must end before what it writes to is destroyed
 };
 
-/// Heartbeat and control together, judged once.
+/// Heartbeat and control thread together, evaluated once.
 class Breath {
 public:
     [[nodiscard]] bool isLong() const { return m_heart.gaps().size() >= 100; }
-    /// For how long at most the UI thread has computed without looking at its events, in ms.
+    /// The longest time in ms that the UI thread has computed without processing events.
     [[nodiscard]] double longestComputed() const {
         return m_heart.computed().empty() ? 0 : std::ranges::max(m_heart.computed());
     }
-    /// Tells the figures.
+    /// Prints the figures.
     [[nodiscard]] bool isEven() {
         m_heart.stop();
         std::vector<double> gaps = m_heart.gaps();
@@ -101,14 +101,15 @@ private slots:
         Breath breath;
         station.session.playback().play();
         QTest::qWait(4000);
-        // On a busy machine fewer beats fit into that time: some more, so that 1 % of them is some.
+        // A busy machine allows fewer beats in that time, so this waits for enough beats that 1 % of them is
+        // meaningful.
         QTRY_VERIFY_WITH_TIMEOUT(breath.isLong() && station.session.simulation().block() > from + 500,
                                  kPatience);
         station.session.playback().pause();
         QVERIFY2(breath.isEven(), "too long gaps while playing");
     }
 
-    /// 500 seeks in two seconds, from the timeline's side.
+    /// 500 seeks in two seconds through the timeline.
     void theEventLoopBreathesInAStormOfSeeks() {
         Workstation station(true);
         openLargeSample(station);
@@ -142,7 +143,7 @@ private slots:
             QVERIFY(station.session.playback().state().playing);
         }
         QTRY_VERIFY_WITH_TIMEOUT(breath.isLong(), kPatience);
-        // It goes on where it was, on the new map.
+        // Playback continues from the same block, on the new z-map.
         QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().frame()->setup->spacing, 0.4, kPatience);
         station.session.playback().pause();
         QVERIFY2(breath.isEven(), "too long gaps while the grid changes");
@@ -166,8 +167,8 @@ private slots:
         QVERIFY2(breath.isEven(), "too long gaps through a cancel");
     }
 
-    /// A few bytes that order millions of motions: the window answers while they are read, says what is wrong
-    /// with them, and shows no more of them than can be drawn.
+    /// A few bytes that specify millions of motions: the window must respond while they are read, report the
+    /// problem, and show no more motions than can be drawn.
     void theEventLoopBreathesThroughEndlessPrograms_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("id");
@@ -197,17 +198,17 @@ private slots:
                 return id == problem.id && ProblemsHub::isInText(problem);
             });
         };
-        constexpr std::size_t kFew = 10'000; // motions; an end by repeated messages leaves some thousand
+        constexpr std::size_t kFew = 10'000; // motions; stopping at repeated messages leaves some thousand
         Workstation station(true);
-        QTest::qWait(1000); // the first picture compiles shaders
+        QTest::qWait(1000); // the first frame compiles shaders
         const FramePtr before = station.session.simulation().frame();
         {
             Breath breath;
             station.session.document().applyEdit(0, station.session.document().text().text.size(),
                                                  text.toStdString());
-            QVERIFY(station.session.simulation().frame() == before); // until the new program is known
+            QVERIFY(station.session.simulation().frame() == before); // stays until the new one is read
             QTRY_VERIFY_WITH_TIMEOUT(isReported(station.session), kPatience);
-            QTest::qWait(1000); // it is cut and drawn
+            QTest::qWait(1000); // time for cutting and drawing
             QVERIFY2(breath.longestComputed() <= kLongestGapMs,
                      qPrintable(QString::number(breath.longestComputed())));
         }
@@ -226,8 +227,7 @@ private slots:
                 },
                 kPatience);
         };
-        // Its picture is drawn by other shaders, which are compiled once, with software rendering on this
-        // thread.
+        // Its frame uses other shaders, which are compiled once, with software rendering on this thread.
         QVERIFY(openEndless());
         QTest::qWait(1000);
         station.open(sampleJobs().front().file);
@@ -244,11 +244,11 @@ private:
         station.open(sampleJobs().back().file);
         if (station.session.program().blockCount() != 10'273)
             qFatal("this is another sample");
-        // By blocks: by time the program would be through before a busy machine has changed the grid four
+        // By blocks, because by time the program would end before a busy machine has changed the grid four
         // times.
         station.session.playback().setPlayBy(PlayBy::blocks);
         station.session.playback().setSpeed(1000);
-        QTest::qWait(1000); // the first picture compiles shaders
+        QTest::qWait(1000); // the first frame compiles shaders
     }
 
     std::unique_ptr<OwnSettings> m_settings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Export from the window: its dialog reads the table of formats, and every format is written and told.
+// Export from the window: its dialog uses the table of formats, and every format is written and reported.
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -44,7 +44,7 @@ QLineEdit& nameOf(QFileDialog& dialog) {
     return *dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
 }
 
-/// As a user does: from the first filter downwards by the keyboard.
+/// Selects by keyboard, as a user does, from the first filter downwards.
 void chooseFilter(QFileDialog& dialog, int row) {
     auto* filters = dialog.findChild<QComboBox*>(QStringLiteral("fileTypeCombo"));
     for (int i = 0; i < row; ++i)
@@ -55,7 +55,7 @@ void save(QFileDialog& dialog) {
     dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
 }
 
-/// Lets `work` deal with the next dialog of this kind, once it is open.
+/// Passes the next dialog of this type to `work` once it is open.
 template<class Dialog>
 void whenOpen(const std::function<void(Dialog&)>& work) {
     auto* wait = new QTimer(qApp);
@@ -76,8 +76,8 @@ void press(QMessageBox& question, const QString& name) {
     qFatal("no button %s", qPrintable(name));
 }
 
-/// Triggers an action that opens a file dialog, and lets `work` deal with it. A program that is half run is
-/// exported as it is.
+/// Triggers an action that opens a file dialog, and passes it to `work`. A program that has not run to its
+/// end is exported at its current block.
 void inDialog(MainWindow& window, const char* action, const std::function<void(QFileDialog&)>& work) {
     bool met = false;
     whenOpen<QFileDialog>([&](QFileDialog& dialog) {
@@ -130,7 +130,7 @@ private slots:
         QFETCH(QByteArray, begins);
         const FileFormat& format = *meshFormats().at(static_cast<std::size_t>(row));
         QCOMPARE(QTest::currentDataTag(), format.key);
-        QCOMPARE(meshFormats().size(), std::size_t{5}); // a new format belongs into the table above
+        QCOMPARE(meshFormats().size(), std::size_t{5}); // add a new format to the table above
         QTemporaryDir folder;
         Workstation station(true);
         QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
@@ -215,7 +215,7 @@ private slots:
         QCOMPARE(session.exports().last()->block, std::size_t{3});
         const QString reported = station.window.statusBar()->currentMessage();
         QVERIFY2(reported.contains(of), qPrintable(reported));
-        // A message about the past goes when something else is open.
+        // A message about an earlier document disappears when another one is opened.
         session.document().newFile();
         QTRY_VERIFY_WITH_TIMEOUT(station.window.statusBar()->currentMessage() != reported, kPatience);
     }
@@ -255,7 +255,7 @@ private slots:
         Workstation station(true);
         Session& session = station.session;
         Setup setup = session.job().setup();
-        setup.spacing = 0.1; // seconds of work
+        setup.spacing = 0.1; // takes seconds
         QVERIFY(session.job().setSetup(setup));
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->zmap.grid().nx > 1000, kPatience);
         session.playback().seek(0);
@@ -283,7 +283,7 @@ private slots:
         });
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QVERIFY(readFile(toPath(folder.filePath(QStringLiteral("part.PLY"))))->starts_with("ply\n"));
-        QCOMPARE(station.session.exports().last()->largestErrorMm, 0.0); // in double, with every point
+        QCOMPARE(station.session.exports().last()->largestErrorMm, 0.0); // in double, with all points
     }
 
     void aNameWithoutAnEndingGetsThatOfTheFilter() {
@@ -299,7 +299,7 @@ private slots:
         QVERIFY(QFileInfo::exists(folder.filePath(QStringLiteral("part.obj"))));
     }
 
-    /// What no mesh format has is part of the name; so no program is overwritten by a mesh.
+    /// An extension of no mesh format is part of the name, so a mesh cannot overwrite a program.
     void anyOtherEndingStaysPartOfTheName() {
         QTemporaryDir folder;
         Workstation station(true);
@@ -329,7 +329,7 @@ private slots:
                 save(dialog);
                 whenOpen<QMessageBox>([replace](QMessageBox& question) {
                     question.button(replace ? QMessageBox::Yes : QMessageBox::No)->click();
-                    if (!replace) // then the dialog is open again
+                    if (!replace) // the dialog is open again
                         whenOpen<QFileDialog>([](QFileDialog& again) { again.reject(); });
                 });
             });
@@ -351,7 +351,7 @@ private slots:
         setup.spacing = 0.1;
         QVERIFY(session.job().setSetup(setup));
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->zmap.grid().nx > 1000, kPatience);
-        for (const double from : {0.0, 0.7}) { // while it is decimated, and while it is written
+        for (const double from : {0.0, 0.7}) { // during decimation and during writing
             session.exports().exportMesh(file, {false});
             QTRY_VERIFY_WITH_TIMEOUT(!session.work().current() || session.work().current()->done > from,
                                      kPatience);
@@ -376,7 +376,7 @@ private slots:
         });
     }
 
-    /// Where steps of float32 are 1/32 mm, an STL cannot keep what the mesh keeps.
+    /// Where the step of float32 is 1/32 mm, an STL file cannot preserve the accuracy of the mesh.
     void roundingBeyondTheAllowanceIsAProblemThatOffersDoubles() {
         QTemporaryDir folder;
         const QString program = folder.filePath(QStringLiteral("far.nc"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fault_gaps [--big] [NAME…]: the workstation's window goes through the fault table, all of it or the cases
-// with these names. Ends with 1 where its thread computes for more than 250 ms without a look at events, or
-// where a case does not come to rest. Needs a display.
+// fault_gaps [--big] [NAME…]: the workstation's window opens all cases of the fault table, or those with
+// these names. Exits with 1 if its thread computes for more than 250 ms without processing events, or if a
+// case does not come to rest. Needs a display.
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
@@ -19,10 +19,11 @@ using namespace proveout;
 
 constexpr double kLongestMs = 250; // with OpenGL in software
 constexpr double kMegabyte = 1e6;
-constexpr unsigned kHangs = 1500; ///< seconds, after which the system ends us
+constexpr unsigned kHangs = 1500; ///< seconds, after which the system kills this process
 constexpr int kTries = 3;
 
-/// The best of a few where the first one is too long: some of it is what is done once, as shaders.
+/// If the first visit is too slow, the best of several, because part of the time is one-time work such as
+/// shaders.
 FaultVisit bestVisit(Workstation& station, const FaultCase& fault) {
     FaultVisit best = visitFault(station, fault);
     for (int tries = 1; tries < kTries && best.settled && best.computedMs > kLongestMs; ++tries)
@@ -59,7 +60,7 @@ int goThroughAll(const std::vector<std::string_view>& words) {
     };
     const FaultFolder folder;
     Workstation station(true);
-    QTest::qWait(2000); // the first picture compiles shaders
+    QTest::qWait(2000); // the first frame compiles shaders
     fmt::print("| # | case | gap ms | computed ms | s | blocks | MB | more MB | message | of | |\n"
                "|--:|:--|--:|--:|--:|--:|--:|--:|:--|--:|:--|\n");
     int cases = 0;

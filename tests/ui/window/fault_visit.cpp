@@ -22,12 +22,12 @@ namespace {
 constexpr qint64 kRestMs = 300;
 constexpr int kLongestMs = 300'000;
 
-/// Linux begins the peak anew where 5 is written there.
+/// Writing 5 there makes Linux reset the peak.
 void resetPeak() {
     std::ofstream("/proc/self/clear_refs") << 5;
 }
 
-/// Closes dialogs, which would hold up everything, and keeps what they say.
+/// Closes dialogs, which would block everything, and keeps their texts.
 class DialogCloser {
 public:
     DialogCloser() {
@@ -48,7 +48,7 @@ private:
     std::string m_text;
 };
 
-/// Whether what was opened is refused or shown, and nothing is under way.
+/// Whether the file is either refused or shown, and no work is in progress.
 class Opening {
 public:
     explicit Opening(Session& session) : m_session(session) {
@@ -72,7 +72,7 @@ private:
     bool m_troubled = false;
 };
 
-/// Waits until it has been so for a while; the seconds until then, below 0 where it never is.
+/// Waits until `done` has been true for a while; returns the seconds until then, negative if never.
 double secondsUntil(const std::function<bool()>& done) {
     QElapsedTimer clock;
     clock.start();
@@ -97,7 +97,7 @@ bool goesTo(Session& session, std::size_t block) {
            }) >= 0;
 }
 
-/// Whether the session has noticed.
+/// Returns whether the session has noticed.
 bool disturb(const Session& session, const FaultCase& fault) {
     if (fault.whileOpen == WhileOpen::nothing)
         return true;
@@ -114,7 +114,7 @@ bool disturb(const Session& session, const FaultCase& fault) {
     return QTest::qWaitFor([&noticed] { return noticed; }, kPatience);
 }
 
-/// A program without a tool cuts nothing: it gets one, as from the button that adds what is missing.
+/// A program without a tool cuts nothing, so this adds one, like the button for missing tools.
 void giveTool(Session& session) {
     if (!session.document().jobFile().isEmpty() || !session.simulation().frame())
         return;
@@ -133,7 +133,7 @@ void giveTool(Session& session) {
         [&] { return !session.work().current() && (isCut() || session.program().isForeign()); }));
 }
 
-/// Whatever has become of the file of the case: without the question that the window would ask.
+/// Returns to the sample without the window's question, whatever has happened to the case's file.
 void goBack(Session& session) {
     const Opening opening(session);
     session.document().openFile(sampleJobs().front().file);

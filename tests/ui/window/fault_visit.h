@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case of the fault table, opened in the workstation's window, gone through and left again.
+// Opens a case of the fault table in the workstation's window, runs it, and closes it again.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@
 namespace proveout {
 
 struct FaultVisit {
-    double longestMs = 0;  ///< without a look at events
-    double computedMs = 0; ///< of the longest one, by the UI thread itself
-    double seconds = 0;    ///< until the program is known, or refused, and nothing is under way
-    bool settled = false;  ///< else patience ended
+    double longestMs = 0;  ///< longest time without processing events
+    double computedMs = 0; ///< CPU time of the UI thread in the longest one
+    double seconds = 0;    ///< until the program is known or refused and no work is in progress
+    bool settled = false;  ///< false: the time limit was reached
     double startBytes = 0;
     double peakBytes = 0;
     std::size_t blocks = 0;
-    bool noticed = true;                  ///< what was done to its file
-    std::vector<std::string> messages;    ///< once it is opened
-    std::vector<std::string> cutMessages; ///< once it is cut, by a tool where it had none
-    std::string dialog;                   ///< the text of one that came up, and was closed
+    bool noticed = true;                  ///< whether the change of its file was noticed
+    std::vector<std::string> messages;    ///< after opening
+    std::vector<std::string> cutMessages; ///< after cutting, with an added tool if it had none
+    std::string dialog;                   ///< text of a dialog that appeared and was closed
 };
 
-/// Leaves the window on the document that it found there, a sample.
+/// Returns the window to the document that it showed before, a sample.
 [[nodiscard]] FaultVisit visitFault(Workstation& station, const FaultCase& fault);
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files as the window deals with them: what is unsaved is named, and files that went are greyed.
+// Files in the window: unsaved changes are listed, and files that no longer exist are greyed out.
 #include <algorithm>
 #include <atomic>
 #include <future>
@@ -25,7 +25,7 @@
 namespace proveout {
 namespace {
 
-/// What the question about unsaved changes says; it is then cancelled. Empty where nothing is asked.
+/// The text of the question about unsaved changes, which is then cancelled. Empty if there is no question.
 QString questionOf(MainWindow& window) {
     QString text;
     QTimer answer;
@@ -59,7 +59,7 @@ QAction* entryOf(const QMenu& menu, const QString& file) {
     return found == actions.end() ? nullptr : *found;
 }
 
-/// Answers the message boxes that come up while it lives, by the button of this name.
+/// Answers message boxes with the button of this name while it exists.
 class AnswerTo {
 public:
     explicit AnswerTo(const QString& button) {
@@ -81,7 +81,7 @@ private:
     int m_asked = 0;
 };
 
-/// The full mesh of a fine grid: seconds of work. Nothing is left unsaved.
+/// The full mesh of a fine grid takes seconds. There are no unsaved changes.
 QString startLongExport(Workstation& station, const QTemporaryDir& folder) {
     station.open(sampleJobs().front().file);
     Setup setup = station.session.job().setup();
@@ -182,7 +182,7 @@ private slots:
         QVERIFY(QFile::remove(gone));
         auto* page = station.window.findChild<StartPage*>();
         station.window.hide();
-        station.window.show(); // the page looks again whenever it is shown
+        station.window.show(); // the page checks again whenever it is shown
         QTRY_VERIFY_WITH_TIMEOUT(buttonOf(*page, gone) != nullptr && !buttonOf(*page, gone)->isEnabled(),
                                  kPatience);
         QVERIFY2(buttonOf(*page, gone)->toolTip().contains(QLatin1String("not found")),
@@ -221,13 +221,13 @@ private slots:
                 recent.add(QLatin1String(file));
             QSignalSpy changed(&recent, &RecentFiles::changed);
             recent.look();
-            recent.look(); // what has not answered is not asked again
+            recent.look(); // pending checks are not started again
             QTRY_VERIFY_WITH_TIMEOUT(recent.isMissing(QStringLiteral("/a/gone.nc")), kPatience);
             QVERIFY(!recent.isMissing(QStringLiteral("/a/there.nc")));
             QVERIFY(!recent.isMissing(QStringLiteral("/drive/far.nc")));
             QVERIFY(!changed.isEmpty());
             QTRY_COMPARE_WITH_TIMEOUT(asked->load(), 3, kPatience);
-        } // gone while the drive still thinks
+        } // destroyed while the drive has not responded
         answer.set_value();
         QTest::qWait(50);
         QCOMPARE(asked->load(), 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The text follows the program that plays, until someone works in it.
+// The text follows the program during playback until the user works in it.
 #include <functional>
 #include <map>
 #include <memory>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kCurrentArrow = 1 << 1;
 
-/// A program of many lines that plays.
+/// A program with many lines during playback.
 struct Playing {
     Workstation station{false};
     QTemporaryDir folder;
@@ -55,7 +55,7 @@ struct Playing {
         const long shown = editor.SendScintilla(NcEditor::SCI_LINESONSCREEN);
         return current() >= firstLine() && current() < firstLine() + shown;
     }
-    /// Plays on until the current line must have left what is shown.
+    /// Continues playback until the current line must have left the visible part.
     [[nodiscard]] bool playsOutOfSight() const {
         const int from = current();
         const long shown = editor.SendScintilla(NcEditor::SCI_LINESONSCREEN);
@@ -68,7 +68,7 @@ struct Playing {
                           Qt::NoScrollPhase, false);
         QApplication::sendEvent(editor.viewport(), &event);
     }
-    /// T1 is not in the table: the list has a problem from the first block on.
+    /// T1 is not in the table, so the list has a problem from the first block on.
     void doubleClickProblem() {
         auto* panel = station.window.findChild<ProblemsPanel*>();
         for (QWidget* each = panel; each != nullptr; each = each->parentWidget())
@@ -154,7 +154,7 @@ private slots:
         playing.play();
         QVERIFY(playing.follow().isChecked());
         QTRY_VERIFY_WITH_TIMEOUT(playing.follows(), kPatience);
-        // What the user turned off himself stays off.
+        // If the user turned following off, it stays off.
         playing.follow().trigger();
         QVERIFY(!playing.follow().isChecked());
         session.playback().pause();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The user guide opens at the page about what has the focus, and its links lead on within it.
+// The user guide opens at the page about the focused widget, and its links stay within it.
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -40,7 +40,7 @@ QStringList picturesOf(const QTextDocument& text) {
     return names;
 }
 
-/// Presses F1 where the keyboard is.
+/// Presses F1 in the focused widget.
 GuideWindow& guideFor(Workstation& station, QWidget& focused) {
     station.activate();
     focused.setFocus();
@@ -75,7 +75,7 @@ private slots:
         QVERIFY(pages.contains(QStringLiteral("view")) && pages.contains(QStringLiteral("index")));
     }
 
-    /// Pages that list rows of a table name all of them.
+    /// Pages that list the rows of a table must name all of them.
     void pagesNameEveryRowOfTheTables() {
         const auto page = [](const char* name) {
             const std::vector<GuidePage> pages = guidePages();

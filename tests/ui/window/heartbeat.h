@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long the event loop of this thread does not go round.
+// Measures how long the event loop of this thread is blocked.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace proveout {
 
-/// The gaps between the beats of a timer: how long each took, and how much of it the thread itself computed;
-/// what other processes take of the machine stretches the first only. From its construction to stop(). ms.
+/// The gaps between the beats of a timer: the duration of each, and the CPU time of the thread in it; other
+/// processes lengthen only the duration. From construction to stop(). ms.
 class Heartbeat {
 public:
     Heartbeat();
@@ -29,7 +29,7 @@ private:
     std::vector<double> m_computed;
 };
 
-/// Of the processor, of this thread.
+/// CPU time of this thread.
 [[nodiscard]] double threadCpuMs();
 
 } // namespace proveout

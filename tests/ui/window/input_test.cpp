@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs of the window's panels: clicks on what is rebuilt by its own change, and the wheel over all of them.
+// Inputs of the window's panels: clicks on widgets that their own change rebuilds, and the wheel over all of
+// them.
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
@@ -33,7 +34,7 @@ namespace {
 
 constexpr int kNotch = QWheelEvent::DefaultDeltasPerStep;
 
-/// What an input shows; whatever it is.
+/// The value shown by an input of any type.
 QString valueOf(const QWidget& input) {
     if (const auto* box = qobject_cast<const QComboBox*>(&input))
         return QString::number(box->currentIndex()) + box->currentText();
@@ -46,7 +47,7 @@ QString valueOf(const QWidget& input) {
     return {};
 }
 
-/// Every spin box, combo box and slider of a window, whatever panel has it.
+/// Every spin box, combo box and slider of a window, in any panel.
 QList<QWidget*> inputsOf(const QWidget& window) {
     QList<QWidget*> inputs;
     for (QWidget* widget : window.findChildren<QWidget*>()) {
@@ -59,7 +60,7 @@ QList<QWidget*> inputsOf(const QWidget& window) {
     return inputs;
 }
 
-/// As the display sends it: to what is under the pointer, which may take the focus by it.
+/// Sends the event as the display does: to the widget under the pointer, which may take the focus.
 void turnWheel(QWidget& target, int angle) {
     const QPoint middle = target.rect().center();
     QWidget* under = target.childAt(middle);
@@ -71,7 +72,7 @@ void turnWheel(QWidget& target, int angle) {
     qApp->notify(&receiver, &event);
 }
 
-/// So that both directions lead to another value.
+/// Moves the value away from its limits, so that both directions change it.
 void leaveTheLimits(QWidget& input) {
     const QSignalBlocker quiet(&input);
     if (auto* box = qobject_cast<QComboBox*>(&input); box != nullptr && box->count() > 1)
@@ -104,7 +105,7 @@ Breakpoint onCondition(const char* condition) {
     return breakpoint;
 }
 
-/// Where the check box of a row is; see the style's own layout of an item.
+/// The position of a row's check box, according to the style's layout of an item.
 QPoint checkBoxOf(const QTreeWidget& list, int row) {
     const QRect cell = list.visualItemRect(list.topLevelItem(row));
     return {cell.left() + 10, cell.center().y()};
@@ -131,10 +132,10 @@ private slots:
             QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, checkBoxOf(*list, 1));
             QCOMPARE(session.breakpoints().all()[1].enabled, on);
             QVERIFY(session.breakpoints().all()[0].enabled && session.breakpoints().all()[2].enabled);
-            QCOMPARE(list->topLevelItem(1), second); // it lives through its own change
+            QCOMPARE(list->topLevelItem(1), second); // it survives its own change
             QCOMPARE(second->checkState(0) == Qt::Checked, on);
         }
-        // By the keyboard, and the row stays the selected one.
+        // By keyboard; the row stays selected.
         list->setFocus();
         list->setCurrentItem(list->topLevelItem(1));
         QTest::keyClick(list, Qt::Key_Space);
@@ -143,10 +144,10 @@ private slots:
         QTest::keyClick(list, Qt::Key_Delete);
         QCOMPARE(session.breakpoints().all().size(), std::size_t{2});
         QCOMPARE(session.breakpoints().all()[1].line, 30U);
-        QVERIFY(list->selectedItems().isEmpty()); // else another Delete would take one nobody chose
+        QVERIFY(list->selectedItems().isEmpty()); // so Delete removes no other row
     }
 
-    /// Every row, box and switch is worked once: what is rebuilt meanwhile must not be what is being handled.
+    /// Operates every row, box and check box once: widgets that are handling an event must not be rebuilt.
     void workingEveryInputBreaksNothing() {
         Workstation station(true);
         station.session.breakpoints().set({atLine(12), onCondition("Z < -2")});
@@ -171,7 +172,7 @@ private slots:
                     QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
             }
         }
-        QTest::qWait(600); // what rests before it is applied
+        QTest::qWait(600); // the delay after which input is applied
         QTRY_VERIFY_WITH_TIMEOUT(station.session.program().current() != nullptr, kPatience);
         QVERIFY(station.window.isVisible());
     }
@@ -179,7 +180,7 @@ private slots:
     void theWheelChangesNothingThatHasNotTheFocus() {
         Workstation station(true);
         if (QAction* look = station.window.action(QStringLiteral("look-closer")))
-            look->trigger(); // its form is one with inputs too
+            look->trigger(); // its form also has inputs
         std::vector<QWidget*> panels{station.window.centralWidget()};
         for (QDockWidget* dock : station.window.findChildren<QDockWidget*>())
             panels.push_back(dock);
@@ -190,7 +191,7 @@ private slots:
                 dock->raise();
             }
             QTest::qWait(20);
-            station.scale().setFocus(); // is always in sight
+            station.scale().setFocus(); // always visible
             for (QWidget* input : inputsOf(*panel)) {
                 if (!input->isVisible() || !input->isEnabled())
                     continue;
@@ -216,7 +217,7 @@ private slots:
         period->setFocus();
         turnWheel(*period, kNotch);
         QCOMPARE(period->value(), value + 1);
-        // The combo box beside it stays as it is.
+        // The adjacent combo box stays unchanged.
         auto* method = station.window.findChild<QComboBox*>(QStringLiteral("method"));
         turnWheel(*method, -kNotch);
         QCOMPARE(method->currentIndex(), 0);
@@ -296,7 +297,7 @@ private slots:
     }
 
 private:
-    /// Forms are rebuilt by their own inputs.
+    /// Guarded, because forms are rebuilt by their own inputs.
     template<class Widget>
     static QList<QPointer<Widget>> guarded(const QList<Widget*>& widgets) {
         return {widgets.begin(), widgets.end()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the stock in the 3D view to the line of the program that cut it, with the mouse.
+// From the stock in the 3D view to the program line that cut it, with the mouse.
 #include <algorithm>
 #include <memory>
 
@@ -26,9 +26,9 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kStart = 200;
-constexpr std::size_t kFacing = 15; ///< a part of the top is still raw
+constexpr std::size_t kFacing = 15; ///< part of the top is still raw
 
-/// The block, from 1, that lowered a point last; by looking at it after each block.
+/// The block, from 1, that last lowered a point; found by checking the point after each block.
 std::size_t lastCut(const Frame& moment, const MapPoint& point) {
     DecimationParameters undecimated;
     undecimated.method = DecimationMethod::none;
@@ -45,7 +45,7 @@ std::size_t lastCut(const Frame& moment, const MapPoint& point) {
     return last;
 }
 
-/// Counts how often a widget paints.
+/// Counts the paint events of a widget.
 class PaintCounter : public QObject {
 public:
     PaintCounter(QWidget& widget, int& count) : m_count(count) { widget.installEventFilter(this); }
@@ -114,14 +114,14 @@ private slots:
     void aDragWithTheRightButtonOpensNoMenu() {
         const QPoint at = placeOf(true);
         QTest::mousePress(&view(), Qt::RightButton, {}, at);
-        QContextMenuEvent pressed(QContextMenuEvent::Mouse, at, view().mapToGlobal(at)); // as X11 sends it
+        QContextMenuEvent pressed(QContextMenuEvent::Mouse, at, view().mapToGlobal(at)); // as sent by X11
         QApplication::sendEvent(&view(), &pressed);
         QVERIFY(shownMenu() == nullptr);
         QTest::mouseMove(&view(), at + QPoint(40, 10));
         QTest::mouseMove(&view(), at);
         QTest::mouseRelease(&view(), Qt::RightButton, {}, at);
         QVERIFY(shownMenu() == nullptr);
-        // The key of the keyboard does.
+        // The keyboard's menu key opens it.
         QContextMenuEvent key(QContextMenuEvent::Keyboard, at, view().mapToGlobal(at));
         QApplication::sendEvent(&view(), &key);
         QVERIFY(shownMenu() != nullptr);
@@ -162,15 +162,15 @@ private slots:
                                   kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
         QCOMPARE(label().text(), position + u'\n' + cut);
-        QVERIFY(label().isWindow()); // else every move would compose the window again
+        QVERIFY(label().isWindow()); // otherwise every move would compose the window again
         QVERIFY(!label().geometry().contains(view().mapToGlobal(at)));
-        // A switch of the menu; the status line stays.
+        // A command of the menu hides it; the status line stays.
         m_station->window.action(QStringLiteral("view-place"))->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(!label().isVisible(), kPatience);
         QVERIFY(status().contains(cut));
         m_station->window.action(QStringLiteral("view-place"))->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
-        // Not while the view is turned, nor beside the stock.
+        // It is hidden while the view is turned, and next to the stock.
         QTest::mousePress(&view(), Qt::LeftButton, {}, at);
         QVERIFY(!label().isVisible());
         QTest::mouseRelease(&view(), Qt::LeftButton, {}, at);
@@ -214,7 +214,8 @@ private slots:
         int ticks = 0;
         QObject context;
         QObject::connect(&session().playback(), &PlaybackHub::tick, &context, [&] { ++ticks; });
-        // Not what is composed: without a compositor the label uncovers parts of the window at every move.
+        // Counts paint events and not compositions: without a compositor the label uncovers parts of the
+        // window at every move.
         const PaintCounter counter(view(), drawn);
         const QPoint from = placeOf(true);
         for (int k = 0; k < 60; ++k) {
@@ -297,7 +298,7 @@ private:
                          view().camera().ray(at.x() * ratio, at.y() * ratio));
     }
 
-    /// A place in the view where the stock was cut, a while ago; or where it was not.
+    /// A position in the view where the stock was cut some blocks ago, or where it was not cut.
     QPoint placeOf(bool cut) {
         for (int y = view().height() / 3; y < view().height(); y += 7) {
             for (int x = view().width() / 4; x < view().width(); x += 13) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user has arranged comes back after a restart.
+// The user's arrangement of the window is restored after a restart.
 #include <cstdlib>
 #include <memory>
 
@@ -33,7 +33,7 @@ namespace {
 
 constexpr QSize kSmallScreen{1280, 800};
 
-/// What each dock needs, for who reads of a failure.
+/// The minimum size of each dock, for the message of a failure.
 QString leastSizes(const QMainWindow& window) {
     QString text;
     for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
@@ -43,15 +43,15 @@ QString leastSizes(const QMainWindow& window) {
     return text;
 }
 
-/// Whether the sentence of a problem that can be seen is wider than its column; the other columns yield to
+/// Whether the visible sentence of a problem is wider than its column; the other columns must yield space to
 /// it.
 bool isSentenceClipped(const QTreeView& list) {
-    const QAbstractItemView& view = list; // hides sizeHintForColumn()
+    const QAbstractItemView& view = list; // QTreeView hides sizeHintForColumn()
     return list.isVisible() && !list.visibleRegion().isEmpty() &&
            view.sizeHintForColumn(ProblemsModel::kSentence) > list.columnWidth(ProblemsModel::kSentence);
 }
 
-/// Whether a text that can be seen is wider than its place.
+/// Whether a visible text is wider than its label.
 bool isClipped(const QLabel& label) {
     return label.isVisible() && !label.visibleRegion().isEmpty() && !label.wordWrap() &&
            label.textFormat() != Qt::RichText && label.pixmap().isNull() &&
@@ -68,8 +68,8 @@ void sendMouse(QMainWindow& window, QEvent::Type type, QPoint place, Qt::MouseBu
     QCoreApplication::sendEvent(&window, &event);
 }
 
-/// Opens a program that stays on the disk as long as `folder`: one that is gone counts as unsaved, and
-/// opening the next one would ask about it.
+/// Opens a program whose file exists as long as `folder`: if the file was deleted, the program would count as
+/// unsaved, and opening the next one would ask about it.
 void openText(Workstation& station, const QTemporaryDir& folder, const QByteArray& text) {
     QFile program(folder.filePath(QStringLiteral("%1.nc").arg(qHash(text))));
     if (!program.open(QIODevice::WriteOnly))
@@ -79,7 +79,7 @@ void openText(Workstation& station, const QTemporaryDir& folder, const QByteArra
     station.open(program.fileName());
 }
 
-/// Drags the border at the right of a dock. The layout carries out moves a moment later.
+/// Drags the border at the right of a dock. The layout applies moves a moment later.
 void dragBorder(QMainWindow& window, const QDockWidget& dock, int by) {
     const int border = window.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window);
     const QPoint from(dock.geometry().right() + 1 + border / 2, dock.geometry().center().y());
@@ -128,10 +128,10 @@ private slots:
             QVERIFY(dockOf(station, "dock-tuning")->isHidden());
             QVERIFY(isDark(QApplication::palette()));
             QCOMPARE(station.appearance.language(), QStringLiteral("de"));
-            // Strings of classes too, which moc and the catalogues name differently.
+            // Includes strings of classes, which moc and the catalogues name differently.
             QVERIFY(QCoreApplication::translate("proveout::TuningPanel", "Measured effect") !=
                     QLatin1String("Measured effect"));
-            // Live: menus and docks speak the new language at once.
+            // Menus and docks must change to the new language immediately.
             const QString german = station.window.menuBar()->actions().front()->text();
             station.appearance.setLanguage(QStringLiteral("en"));
             QTRY_VERIFY_WITH_TIMEOUT(station.window.menuBar()->actions().front()->text() != german,
@@ -168,13 +168,13 @@ private slots:
     void workUnderWayDoesNotWidenTheWindow() {
         for (const Language& language : languages()) {
             Appearance before;
-            before.setLanguage(language.code); // of the settings
+            before.setLanguage(language.code); // as stored in the settings
             Workstation station(false);
             QVERIFY2(station.window.size() == kSmallScreen, qPrintable(QStringLiteral("%1: %2\n%3")
                                                                            .arg(language.code)
                                                                            .arg(station.window.width())
                                                                            .arg(leastSizes(station.window))));
-            station.open(sampleJobs().back().file); // while it is read, the status bar says so
+            station.open(sampleJobs().back().file); // while it is read, the status bar shows the progress
             station.session.playback().seek(station.session.program().blockCount());
             QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().block(),
                                       station.session.program().blockCount(), kPatience);
@@ -184,7 +184,7 @@ private slots:
 
     void noTextIsClippedInAnyLanguage() {
         Workstation station(true);
-        Setup setup = station.session.job().setup(); // so that there are problems, with long sentences
+        Setup setup = station.session.job().setup(); // causes problems with long sentences
         for (const auto& [number, cutter] : station.session.job().setup().tools.tools())
             setup.tools.set(number, cutter, {ToolSource::assumed});
         QVERIFY(station.session.job().setSetup(setup));
@@ -222,7 +222,7 @@ private slots:
         {
             const Workstation station(false);
             station.window.action(QStringLiteral("layout-research"))->trigger();
-        } // killed, so to speak: the layout of the window itself was not kept
+        } // destroyed as if it was killed, so the window's own layout was not stored
         const Workstation station(false);
         QTRY_VERIFY(!dockOf(station, "dock-plots")->visibleRegion().isEmpty());
         QVERIFY(station.window.action(QStringLiteral("layout-research"))->isChecked());
@@ -241,7 +241,7 @@ private slots:
         const int wide = widthWith("G1 X100.1234 Y200.1234 Z-30.1234 F1000 (finishing)");
         QVERIFY2(wide > narrow, qPrintable(QStringLiteral("%1 %2").arg(wide).arg(narrow)));
         QVERIFY(wide <= station.window.width() * 0.35);
-        // A width that the user has chosen stays.
+        // A width chosen by the user is kept.
         station.window.resizeDocks({dockOf(station, "dock-program")}, {wide - 60}, Qt::Horizontal);
         QTest::qWait(100);
         const int chosen = dockOf(station, "dock-program")->width();
@@ -346,7 +346,7 @@ private slots:
         plots->raise();
         QTest::mouseClick(close, Qt::LeftButton);
         QVERIFY(plots->isHidden());
-        // The last one that is left of its tabs has its title bar again.
+        // The last remaining dock of a tab group has its title bar again.
         QDockWidget* problems = dockOf(station, "dock-problems");
         for (QDockWidget* other : station.window.tabifiedDockWidgets(problems))
             other->close();
@@ -366,7 +366,7 @@ private slots:
         Session session;
         MainWindow window(session, appearance);
         window.show();
-        window.raise(); // as window managers do with the last window of an application that comes up
+        window.raise(); // as window managers do with the last window of a starting application
         const auto* tuning = window.findChild<QDockWidget*>(QStringLiteral("dock-tuning"));
         QVERIFY(tuning->isFloating());
         QVERIFY(window.geometry().contains(tuning->geometry().center()));

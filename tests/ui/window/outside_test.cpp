@@ -23,7 +23,7 @@ void write(const QString& path, const QByteArray& bytes) {
         qFatal("%s cannot be written", qPrintable(path));
 }
 
-/// Answers every question by the button of this name, and keeps what was asked.
+/// Answers every question with the button of this name, and keeps the texts.
 class Answer {
 public:
     explicit Answer(const QString& button) {
@@ -92,7 +92,7 @@ private slots:
         Answer answer(QStringLiteral("Cancel"));
         station.open(m_job);
         QCOMPARE(answer.questions().size(), 0);
-        // It is about these files.
+        // The permission applies only to these files.
         write(m_folder->filePath(QStringLiteral("other.nc")), "G0 X1\n");
         write(m_job, R"({"proveout": 2, "program": "../other.nc",
                          "stock": {"width": 40, "depth": 30, "height": 10}})");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A panel is a row: however many there are, each has its dock, its place in every layout and its key.
+// A panel is one row: however many there are, each has its dock, its place in every layout and its shortcut.
 #include <memory>
 #include <set>
 #include <string>
@@ -23,7 +23,7 @@ QWidget* makeLabel(const PanelParts&, QWidget* parent) {
     return new QLabel(QStringLiteral("a panel"), parent);
 }
 
-/// Labels in the place of the panels, and as many more with the ids that are given.
+/// Labels in place of the panels, and additional ones with the given ids.
 std::vector<PanelRow> labels(const std::vector<PanelRow>& more) {
     std::vector<PanelRow> rows(panelTable().begin(), panelTable().end());
     rows.insert(rows.end(), more.begin(), more.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The focus between panels: their keys, their tabs, and nothing that is hidden.
+// The focus between panels: their shortcuts and tabs; hidden widgets never have it.
 #include <memory>
 
 #include <QAbstractButton>
@@ -19,7 +19,7 @@ namespace {
 struct Panels {
     Workstation station{true};
 
-    /// Program and setup share a place, whatever layout the window begins with.
+    /// Program and setup share a tab group, whatever the initial layout.
     Panels() {
         station.window.tabifyDockWidget(&dock("dock-program"), &dock("dock-setup"));
         dock("dock-program").raise();
@@ -28,7 +28,7 @@ struct Panels {
     QDockWidget& dock(const char* id) const {
         return *station.window.findChild<QDockWidget*>(QLatin1String(id));
     }
-    /// By its key, wherever the focus is; in the menu where it has none.
+    /// Uses its shortcut, wherever the focus is; if it has none, the menu.
     void press(const QDockWidget& dock) {
         QAction& toggle = *dock.toggleViewAction();
         if (toggle.shortcut().isEmpty()) {
@@ -44,7 +44,7 @@ struct Panels {
         const QWidget* focus = QApplication::focusWidget();
         return focus != nullptr && (focus == dock.widget() || dock.widget()->isAncestorOf(focus));
     }
-    /// Of the focus, on the screen: covered tabs count as visible for Qt.
+    /// Whether the focused widget is on the screen: Qt also counts covered tabs as visible.
     static bool focusIsSeen() {
         const QWidget* focus = QApplication::focusWidget();
         return focus != nullptr && focus->isVisible() && !focus->visibleRegion().isEmpty();
@@ -103,7 +103,7 @@ private slots:
         QVERIFY(!setup.isHidden());
         QCOMPARE(QApplication::focusWidget(), &panels.station.window.editor().editor());
         QVERIFY(!setup.widget()->isVisible());
-        // Visible, but the keyboard is elsewhere: it is given the focus, and stays.
+        // If it is visible without the focus, it gets the focus and stays open.
         panels.station.window.viewport().setFocus();
         panels.press(program);
         QVERIFY(!program.isHidden() && Panels::has(program));
@@ -119,7 +119,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(Panels::has(setup) && Panels::focusIsSeen(), kPatience);
         panels.chooseTab(program);
         QTRY_VERIFY_WITH_TIMEOUT(Panels::has(program) && Panels::focusIsSeen(), kPatience);
-        // A tab that is chosen while the focus is elsewhere leaves it there.
+        // Selecting a tab while the focus is elsewhere does not move the focus.
         panels.station.window.viewport().setFocus();
         panels.chooseTab(setup);
         QVERIFY(panels.station.window.viewport().hasFocus());
@@ -157,7 +157,7 @@ private slots:
             QTest::keyClick(&panels.station.window.viewport(), Qt::Key_F, Qt::ControlModifier);
             QTRY_VERIFY_WITH_TIMEOUT(Panels::has(program) && Panels::focusIsSeen(), kPatience);
         }
-        // So do the commands that show a line.
+        // The same applies to commands that show a line.
         panels.dock("dock-setup").raise();
         QTest::qWait(20);
         QVERIFY(!program.widget()->isVisible());

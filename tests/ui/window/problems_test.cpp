@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of problems, read and worked as a user does.
+// The list of problems, used as by a user.
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -33,7 +33,7 @@ QTreeView& listOf(const Workstation& station) {
     return *dock->findChild<QTreeView*>();
 }
 
-/// Opens it, without waiting for a frame.
+/// Opens a text without waiting for a frame.
 void open(Workstation& station, const QByteArray& text) {
     QTemporaryFile file(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
     if (!file.open() || file.write(text) != text.size())
@@ -51,13 +51,13 @@ int rowOf(const Session& session, const char* id) {
     return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
 
-/// Whether the cell shows the whole text.
+/// Whether the cell shows the complete text.
 bool isWhole(const QTreeView& list, const QModelIndex& cell) {
-    const QAbstractItemView& view = list; // sizeHintForColumn() is hidden in QTreeView
+    const QAbstractItemView& view = list; // QTreeView hides sizeHintForColumn()
     return list.columnWidth(cell.column()) >= view.sizeHintForIndex(cell).width();
 }
 
-/// Chooses an action of the menu of a row by the mouse.
+/// Selects an action of a row's menu with the mouse.
 bool choose(QTreeView& list, int row, const char* action) {
     const QModelIndex index = list.model()->index(row, ProblemsModel::kSentence);
     list.scrollTo(index);
@@ -74,7 +74,7 @@ bool choose(QTreeView& list, int row, const char* action) {
     return true;
 }
 
-/// A clamp that is switched in many lines: its note lists them.
+/// A clamp that is operated in many lines, which its note lists.
 QByteArray clamps() {
     QByteArray text = "%\nO0001 (CLAMPS)\nG21 G90 G17\nT1 M6\nG0 X0. Y0. Z5.\nG1 Z-1. F100 S500 M3\n";
     for (int i = 0; i < 24; ++i)
@@ -115,7 +115,7 @@ private slots:
                     const QModelIndex sentence = list.model()->index(row, ProblemsModel::kSentence);
                     QVERIFY2(isWhole(list, sentence),
                              qPrintable(language.code + u' ' + sentence.data().toString()));
-                    // Whatever else is elided is whole in the tip.
+                    // The tooltip contains the complete text of all elided cells.
                     const QString tip = sentence.data(Qt::ToolTipRole).toString();
                     for (int column : {ProblemsModel::kSentence, ProblemsModel::kHint, ProblemsModel::kId})
                         QVERIFY(
@@ -130,7 +130,7 @@ private slots:
         open(station, clamps());
         QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
         const QTreeView& list = listOf(station);
-        const QAbstractItemView& view = list; // sizeHintForColumn() is hidden in QTreeView
+        const QAbstractItemView& view = list; // QTreeView hides sizeHintForColumn()
         bool shown = false;
         bool hidden = false;
         for (const int width : {2560, 1280, 1000}) {
@@ -155,7 +155,7 @@ private slots:
         QCOMPARE(station.session.job().setup().ignoredM, (std::set<int>{16, 161, 171}));
         QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
         QCOMPARE(rowOf(station.session, "code-unknown"), -1);
-        // One step back.
+        // A single undo step.
         station.session.job().undoStep();
         QVERIFY(station.session.job().setup().ignoredM.empty());
     }
@@ -169,7 +169,7 @@ private slots:
         QVERIFY(notice != nullptr && notice->isVisible());
         const QString said = notice->findChild<QLabel*>(QStringLiteral("noticeText"))->text();
         QVERIFY2(said.contains(QLatin1String("Siemens Sinumerik")), qPrintable(said));
-        // No stock of which nothing is known, neither now nor when something is tried with it.
+        // No stock is shown for an unsupported text, neither now nor when the user tries to play it.
         station.window.action(QStringLiteral("play"))->trigger();
         station.window.action(QStringLiteral("to-end"))->trigger();
         QTest::qWait(500);
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(!station.session.playback().state().playing);
         QCOMPARE(station.session.problems().all().size(), std::size_t{1});
 
-        // Read in a dialect that the user chooses, which is a step of its own.
+        // Reading it in a dialect that the user chooses is an undo step of its own.
         Setup setup = station.session.job().setup();
         setup.blockDelete = true;
         QVERIFY(station.session.job().setSetup(setup).has_value());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever the language and however narrow the docks, every text of a panel can be read to its end.
+// In every language and at every width of the docks, all texts of a panel are completely readable.
 #include <memory>
 
 #include <QAbstractButton>
@@ -20,7 +20,7 @@
 namespace proveout {
 namespace {
 
-/// The width that a box leaves to its text.
+/// The width of a box that is available for its text.
 int roomOf(const QComboBox& box) {
     QStyleOptionComboBox option;
     option.initFrom(&box);
@@ -29,7 +29,7 @@ int roomOf(const QComboBox& box) {
         .width();
 }
 
-/// Texts within `dock` that are cut off, with the pixels that they lack.
+/// Texts in `dock` that are cut off, with the missing pixels.
 QStringList cutOff(const QDockWidget& dock) {
     QStringList found;
     const auto check = [&](const QWidget& widget, const QString& text, int room, int needed) {
@@ -50,7 +50,7 @@ QStringList cutOff(const QDockWidget& dock) {
         const auto* edit = box->findChild<QLineEdit*>();
         check(*box, box->text(), edit->width(), box->fontMetrics().horizontalAdvance(box->text()) + 4);
     }
-    // Nothing sticks out to the right of a panel that cannot be scrolled there.
+    // Nothing may extend beyond the right edge of a panel that cannot be scrolled horizontally.
     for (const QWidget* widget : dock.findChildren<QWidget*>()) {
         const bool field = qobject_cast<const QComboBox*>(widget) != nullptr ||
                            qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
@@ -78,13 +78,13 @@ private slots:
     void textsEndInSightInEveryLanguage() {
         QFETCH(QString, language);
         Workstation station(true);
-        station.appearance.setLanguage(language); // live: boxes that were measured before measure anew
+        station.appearance.setLanguage(language); // boxes have cached their sizes
         QTest::qWait(100);
         for (const char* id : {"dock-setup", "dock-tuning", "dock-timeline"}) {
             auto* dock = station.window.findChild<QDockWidget*>(QLatin1String(id));
             dock->raise();
             station.window.resizeDocks({dock}, {1}, Qt::Horizontal);
-            QTest::qWait(200); // until the layouts have followed
+            QTest::qWait(200); // until the layouts are updated
             QStringList found;
             const auto settled = [&] { return (found = cutOff(*dock)).isEmpty(); };
             QVERIFY2(QTest::qWaitFor(settled, kPatience), qPrintable(QStringLiteral("%1 is %2 px wide\n%3")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unsaved work outlives a session that is killed. The session under test is a process of its own: this
-// program once more, told by its first argument to type and wait for its end.
+// Unsaved work survives a session that is killed. The session under test is a separate process: this program
+// started again, with a first argument that makes it type and wait to be killed.
 #include <memory>
 
 #include <QApplication>
@@ -46,8 +46,8 @@ QStringList foldersIn(const QString& root) {
     return QDir(root).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
 }
 
-/// What the process to be killed does: types into `program` (empty: a new one), changes the setup, sets a
-/// breakpoint, and lives on. Its unsaved work is kept after some seconds.
+/// The process to be killed: types into `program` (empty: a new one), changes the setup, sets a breakpoint,
+/// and keeps running. Its unsaved work is backed up after some seconds.
 int victim(const QString& root, const QString& program) {
     const OwnSettings settings;
     Workstation station(false);
@@ -68,7 +68,7 @@ int victim(const QString& root, const QString& program) {
     return QApplication::exec();
 }
 
-/// Kills such a process as soon as its work is kept; gives the seconds that took.
+/// Kills such a process as soon as its work is backed up; returns the seconds until then.
 double killOne(const QString& root, const QString& program) {
     QProcess process;
     process.setProcessChannelMode(QProcess::ForwardedChannels);
@@ -123,7 +123,7 @@ private slots:
 
     void whatWasTypedComesBackAfterAKill() {
         killOne(m_root, m_program);
-        QCOMPARE(read(m_program), kProgram); // untouched
+        QCOMPARE(read(m_program), kProgram); // unchanged
         Workstation station(false);
         Recovery recovery(station.window, m_root);
         QVERIFY(barOf(station).isVisible());
@@ -139,10 +139,10 @@ private slots:
         QCOMPARE(station.session.breakpoints().all().size(), std::size_t{1});
         QCOMPARE(station.session.breakpoints().all().front().line, 3U);
         QCOMPARE(read(m_program), kProgram);
-        // The work is in the folder of this session now, and in no other.
+        // The work is now in the folder of this session, and in no other.
         QTRY_VERIFY_WITH_TIMEOUT(!barOf(station).isVisible(), kPatience);
         QCOMPARE(foldersIn(m_root).size(), 1);
-        QVERIFY(station.window.files().save()); // nobody has changed the file meanwhile: no question
+        QVERIFY(station.window.files().save()); // the file has not changed meanwhile, so there is no question
         QCOMPARE(read(m_program), kTyped + kProgram);
         recovery.end();
         QTRY_VERIFY_WITH_TIMEOUT(foldersIn(m_root).isEmpty(), kPatience);
@@ -154,7 +154,8 @@ private slots:
         Workstation station(false);
         Recovery recovery(station.window, m_root);
         QCOMPARE(buttons(station, QStringLiteral("Restore")).size(), 2);
-        QTest::mouseClick(buttons(station, QStringLiteral("Restore")).front(), Qt::LeftButton); // the newer
+        QTest::mouseClick(buttons(station, QStringLiteral("Restore")).front(),
+                          Qt::LeftButton); // the newer session
         QTRY_VERIFY_WITH_TIMEOUT(station.session.document().isOpen(), kPatience);
         QVERIFY(station.session.document().text().path.empty());
         QCOMPARE(QByteArray::fromStdString(station.session.document().text().text.toString()), kTyped);
@@ -190,7 +191,7 @@ private slots:
 
     void aFileThatHasChangedSinceIsAskedAbout() {
         killOne(m_root, m_program);
-        write(m_program, "G21\n"); // by somebody else, before the restart
+        write(m_program, "G21\n"); // by another program, before the restart
         Workstation station(false);
         Recovery recovery(station.window, m_root);
         QTest::mouseClick(buttons(station, QStringLiteral("Restore")).front(), Qt::LeftButton);
@@ -217,7 +218,7 @@ private slots:
             QCOMPARE(foldersIn(m_root).size(), 2);
             recovery.end();
         }
-        QCOMPARE(foldersIn(m_root).size(), 1); // that of the first is as it was
+        QCOMPARE(foldersIn(m_root).size(), 1); // the first session's folder is unchanged
         running.end();
         QTRY_VERIFY_WITH_TIMEOUT(foldersIn(m_root).isEmpty(), kPatience);
     }
@@ -289,7 +290,7 @@ private slots:
         QVERIFY(station.window.findChild<QWidget*>(QStringLiteral("dock-tuning"))->isVisible());
         Recovery recovery(station.window, m_root);
         QVERIFY(!station.window.findChild<QWidget*>(QStringLiteral("dock-tuning"))->isVisible());
-        QVERIFY(!barOf(station).isVisible()); // nothing unsaved: nothing to ask
+        QVERIFY(!barOf(station).isVisible()); // nothing is unsaved, so there is no question
         QTRY_COMPARE_WITH_TIMEOUT(station.window.size(), QSize(1000, 700), kPatience);
         recovery.end();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Saving beside others: nothing that somebody else has written is overwritten without a question.
+// Saving next to other programs: their changes are never overwritten without a question.
 #include <memory>
 
 #include <QApplication>
@@ -40,8 +40,7 @@ QByteArray read(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Presses the buttons of these names, one for each time that a question is asked; what was asked, and what
-/// a comparison has shown, is kept.
+/// Presses the buttons of these names, one per question; keeps the texts of questions and comparisons.
 class Answers {
 public:
     explicit Answers(QStringList buttons) : m_buttons(std::move(buttons)) {
@@ -65,7 +64,7 @@ private:
         const QString wanted = m_buttons.isEmpty() ? QStringLiteral("Cancel") : m_buttons.takeFirst();
         for (QAbstractButton* each : box->buttons())
             if (each->text().remove(u'&') == wanted) {
-                // Later: a timer does not fire while what it has called waits for an answer.
+                // Queued, because a timer does not fire while its slot waits for an answer.
                 QMetaObject::invokeMethod(each, "click", Qt::QueuedConnection);
                 return;
             }
@@ -122,7 +121,7 @@ private slots:
         Workstation station(false);
         station.open(m_program);
         type(station, QStringLiteral("(mine)"));
-        write(m_program, kTheirs); // nobody has told the window yet
+        write(m_program, kTheirs); // the window has not been notified yet
         Answers answers({QStringLiteral("Cancel")});
         pressSave(station);
         QCOMPARE(answers.questions().size(), 1);
@@ -130,7 +129,7 @@ private slots:
                  qPrintable(answers.questions().front()));
         QCOMPARE(read(m_program), kTheirs);
         QVERIFY(station.session.document().text().modified);
-        QVERIFY(!station.session.document().save()); // below the question too
+        QVERIFY(!station.session.document().save()); // the session itself refuses too
         QCOMPARE(read(m_program), kTheirs);
         station.session.document().setTextModified(false);
     }
@@ -158,10 +157,10 @@ private slots:
         QCOMPARE(answers.questions().size(), 1);
         QCOMPARE(read(m_program), "(mine)" + kProgram);
         QVERIFY(!station.session.document().modified());
-        QTest::qWait(400); // the watcher has told it by now
+        QTest::qWait(400); // the watcher has reported it by now
         QVERIFY(!bar(station, FilePart::text)->isVisible());
         type(station, QStringLiteral("(more)"));
-        pressSave(station); // the own save is no change by somebody else
+        pressSave(station); // the window's own save is not a change by another program
         QCOMPARE(answers.questions().size(), 1);
         QCOMPARE(read(m_program), "(more)(mine)" + kProgram);
     }
@@ -275,7 +274,7 @@ private slots:
         QCOMPARE(read(m_program), kProgram);
         write(m_program, kTheirs);
         type(station, QStringLiteral("(mine)"));
-        pressSave(station); // that is another change
+        pressSave(station); // this is another change
         QCOMPARE(answers.questions().size(), 1);
         station.session.document().setTextModified(false);
     }
@@ -376,7 +375,7 @@ private slots:
         QCOMPARE(dock("dock-program"), QStringLiteral("NC Program"));
         QCOMPARE(dock("dock-setup"), QStringLiteral("Setup*"));
         QVERIFY(station.session.document().job().toolsModified());
-        pressSave(station); // the text is saved already
+        pressSave(station); // the text has been saved already
         QVERIFY(read(job).contains("\"7\""));
         QVERIFY(!station.window.isWindowModified());
         QVERIFY2(station.window.statusBar()->currentMessage().contains(QLatin1String("bracket.proveout")),

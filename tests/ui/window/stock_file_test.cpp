@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file that the stock was read from: changed by another program, and overwritten by ourselves.
+// The file that the stock was read from: changed by another program, and overwritten by this one.
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -40,7 +40,7 @@ void write(const QString& path, const QByteArray& bytes) {
         qFatal("%s cannot be written", qPrintable(path));
 }
 
-/// Answers the dialogs that come up while it lives: a file dialog by a name, questions by their buttons.
+/// Answers dialogs while it exists: a file dialog with a name, questions with their buttons.
 class Answers {
 public:
     Answers(QString file, QStringList buttons) : m_file(std::move(file)), m_buttons(std::move(buttons)) {
@@ -72,11 +72,11 @@ private:
     QTimer m_look;
 };
 
-/// A window on a job whose stock is what an earlier setup has left.
+/// A window with a job whose stock was left by an earlier setup.
 struct Bench {
     QTemporaryDir folder;
     QString stock = folder.filePath(QStringLiteral("blank.pvstock"));
-    QByteArray first; ///< what that file holds
+    QByteArray first; ///< content of that file
     QByteArray deeper;
     Workstation station{false};
     Session& session = station.session;
@@ -112,12 +112,12 @@ struct Bench {
     void press(const char* button) const {
         QTest::mouseClick(bar().findChild<QPushButton*>(QLatin1String(button)), Qt::LeftButton);
     }
-    /// Of the uncut stock in the slot that an earlier setup has cut.
+    /// Height of the uncut stock in the slot that an earlier setup has cut.
     [[nodiscard]] double heightInSlot() const {
         return session.simulation().frame() == nullptr ? 0.0
                                                        : session.simulation().frame()->zmap.height(20, 10);
     }
-    /// Goes there, as the view does.
+    /// Seeks to a block like the view.
     bool seek(std::size_t block) const {
         session.playback().seek(block);
         return QTest::qWaitFor(
@@ -130,7 +130,7 @@ struct Bench {
     }
 
 private:
-    /// The stock as it is after so many blocks.
+    /// The saved stock after the given number of blocks.
     QByteArray saved(std::size_t blocks) {
         if (!seek(blocks))
             qFatal("the program does not run");
@@ -173,12 +173,12 @@ private slots:
         QVERIFY2(bench.reported().startsWith(QStringLiteral("blank.pvstock has changed on disk.")),
                  qPrintable(bench.reported()));
         QVERIFY(bench.hasProblem());
-        QCOMPARE(bench.heightInSlot(), -2.0); // as it says
+        QCOMPARE(bench.heightInSlot(), -2.0); // as displayed
         bench.press("stock-reload");
         QTRY_COMPARE_WITH_TIMEOUT(bench.heightInSlot(), -4.0, kPatience);
         QVERIFY(bench.bar().isHidden());
         QVERIFY(!bench.hasProblem());
-        QVERIFY(!bench.session.document().modified()); // the job names the same file
+        QVERIFY(!bench.session.document().modified()); // the job still names the same file
     }
 
     void keptItStaysUntilItIsChangedAgain() {
@@ -192,14 +192,14 @@ private slots:
         setup.tools.set(2, parseCutter("flat:d=6").value());
         QVERIFY(bench.session.job().setSetup(setup).has_value());
         QTest::qWait(600);
-        QVERIFY(bench.bar().isHidden()); // nothing new has happened
+        QVERIFY(bench.bar().isHidden()); // there was no new change
         QCOMPARE(bench.heightInSlot(), -2.0);
         QVERIFY(QFile::remove(bench.stock));
         QTRY_VERIFY_WITH_TIMEOUT(bench.bar().isVisible(), kPatience);
         QVERIFY2(bench.reported().contains(QStringLiteral("was deleted or renamed")),
                  qPrintable(bench.reported()));
         QVERIFY(bench.bar().findChild<QPushButton*>(QStringLiteral("stock-reload"))->isHidden());
-        bench.session.document().newFile(); // another document has nothing to do with it
+        bench.session.document().newFile(); // another document is not affected
         QVERIFY(bench.bar().isHidden());
         QVERIFY(!bench.hasProblem());
     }
@@ -214,12 +214,12 @@ private slots:
         QFETCH(QString, button);
         Bench bench;
         QVERIFY(bench.seek(bench.session.program().blockCount()));
-        // By another name of the same file.
+        // Under another name of the same file.
         const QString link = bench.folder.filePath(QStringLiteral("other.pvstock"));
         QVERIFY(QFile::link(bench.stock, link));
         Answers answers(link, {QStringLiteral("Yes"), button});
         bench.station.window.action(QStringLiteral("file-save-stock"))->trigger();
-        QCOMPARE(answers.questions().size(), 2); // that of the file dialog first
+        QCOMPARE(answers.questions().size(), 2); // the first is that of the file dialog
         QVERIFY2(answers.questions().back().contains(QStringLiteral("is the stock of the open job")),
                  qPrintable(answers.questions().back()));
         if (button == QStringLiteral("Cancel")) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is typed into the forms: nothing overwrites it meanwhile, and no save or close comes before it.
+// Text typed into the forms: nothing overwrites it, and saving or closing applies it first.
 #include <functional>
 #include <memory>
 
@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kRest = 400; ///< ms; longer than any form waits for the next key
 
-/// The window with a saved job and one of its inputs in front.
+/// The window with a saved job and one of its inputs visible.
 struct Bench {
     QTemporaryDir folder;
     Workstation station{true};
@@ -45,7 +45,7 @@ struct Bench {
             qFatal("%s is not seen", name);
         return *found;
     }
-    /// With the focus and all of its text selected, as Tab leads to it.
+    /// Focuses an input and selects its text, as Tab does.
     template<class Input = QDoubleSpinBox>
     Input& reached(const char* dock, const char* name) {
         Input& input = find<Input>(dock, name);
@@ -56,7 +56,7 @@ struct Bench {
     }
     Session& session() { return station.session; }
     const Setup& setup() { return session().job().setup(); }
-    /// Others change the setup, as the reading of a program does.
+    /// Changes the setup from outside the form, as reading a program does.
     void changeSetup(const std::function<void(Setup&)>& edit) {
         Setup changed = setup();
         edit(changed);
@@ -68,7 +68,7 @@ struct Bench {
     }
 };
 
-/// Presses a button of each question that is asked, and counts them.
+/// Presses a button in each question, and counts the questions.
 class Answer {
 public:
     explicit Answer(QMessageBox::StandardButton button) {
@@ -94,7 +94,7 @@ void keys(QWidget& input, const QString& text) {
     QTest::keyClicks(&input, text);
 }
 
-/// To the next input, as the window leads there.
+/// Moves to the next input in the window's tab sequence.
 QWidget& tab(QWidget& input) {
     QTest::keyClick(&input, Qt::Key_Tab);
     return *QApplication::focusWidget();
@@ -161,12 +161,12 @@ private slots:
         bench.addTool(77);
         QTest::qWait(kRest);
         QCOMPARE(box.text(), typed);
-        QTest::keyClick(&box, Qt::Key_Z, Qt::ControlModifier); // of the text alone
+        QTest::keyClick(&box, Qt::Key_Z, Qt::ControlModifier); // undoes only in the text
         QVERIFY2(box.text() != typed, qPrintable(typed));
         QVERIFY(bench.setup().tools.find(77) != nullptr);
     }
 
-    /// The box learns of the value all the same: it is the one that comes back if nothing is typed after all.
+    /// The box still receives the new value, which is restored if typing is abandoned.
     void aValueThatOthersSetIsThereBelowTheTypedText() {
         Bench bench;
         auto& width = bench.reached("dock-setup", "stock-width");
@@ -174,7 +174,7 @@ private slots:
         bench.changeSetup([](Setup& setup) { setup.stock.width = 61; });
         QCOMPARE(width.value(), 61.0);
         QVERIFY(width.text().startsWith(QStringLiteral("7 ")));
-        QTest::keyClick(&width, Qt::Key_Backspace); // no number: what is there counts
+        QTest::keyClick(&width, Qt::Key_Backspace); // not a number, so the current value stays
         QTest::keyClick(&width, Qt::Key_Return);
         QTest::qWait(kRest);
         QCOMPARE(bench.setup().stock.width, 61.0);
@@ -213,7 +213,7 @@ private slots:
         QVERIFY(codes.text().isEmpty());
     }
 
-    /// An edit waits for a rest before it is applied; others may change the setup before.
+    /// An edit is applied after a delay, and the setup may change before that.
     void anEditThatIsHeldBackIsNotDropped() {
         Bench bench;
         auto& kind = bench.reached<QComboBox>("dock-setup", "dialect");
@@ -223,7 +223,7 @@ private slots:
         auto& corner = bench.reached("dock-setup", "corner-x");
         QTest::keyClick(&corner, Qt::Key_Up);
         const double left = corner.value();
-        bench.addTool(77); // at once
+        bench.addTool(77); // applied immediately
         emit bench.session().program().changed();
         QCOMPARE(kind.currentIndex(), chosen);
         QCOMPARE(corner.value(), left);
@@ -258,7 +258,7 @@ private slots:
         bench.session().document().newFile();
         Setup fresh = bench.setup();
         QTest::qWait(kRest);
-        fresh.spacing = bench.setup().spacing; // found once the new text is read
+        fresh.spacing = bench.setup().spacing; // computed once the new text is interpreted
         QVERIFY(bench.setup() == fresh);
         QVERIFY(!bench.session().document().modified());
     }
@@ -286,7 +286,7 @@ private slots:
         auto& input = bench.reached<QWidget>(dock.constData(), name.constData());
         keys(input, typed);
         {
-            Answer answer(QMessageBox::Cancel); // the window stays, with the input as it is
+            Answer answer(QMessageBox::Cancel); // the window stays open, and the input unchanged
             QTest::keyClick(&bench.station.window, Qt::Key_Q, Qt::ControlModifier);
             QCOMPARE(answer.asked(), 1);
         }
@@ -297,7 +297,7 @@ private slots:
         QVERIFY2(job.readAll().contains(saved), saved.constData());
         QVERIFY(!bench.session().document().modified());
         QTest::qWait(kRest);
-        QVERIFY(!bench.session().document().modified()); // the star does not come back
+        QVERIFY(!bench.session().document().modified()); // the modified mark does not reappear
     }
 
     void aValueOutOfRangeWidensNoRange() {

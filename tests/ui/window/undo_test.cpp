@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Undo and redo in the window: of the text, and of setup, tuning and machine, as the focus is.
+// Undo and redo in the window: in the text, or in setup, tuning and machine, depending on the focus.
 #include <memory>
 #include <string>
 
@@ -22,7 +22,7 @@
 namespace proveout {
 namespace {
 
-/// The window with one of its boxes in front.
+/// The window with one of its boxes visible.
 struct Bench {
     Workstation station{true};
 
@@ -37,7 +37,7 @@ struct Bench {
         found->setFocus();
         return *found;
     }
-    /// Types a value as a user does.
+    /// Types a value like a user.
     static void type(QAbstractSpinBox& box, const QString& text) {
         box.selectAll();
         QTest::keyClicks(&box, text);
@@ -60,14 +60,14 @@ struct Bench {
     double topZ() { return session().job().setup().stock.corner.z; }
 };
 
-/// Cuts with tools that its comments describe.
+/// A program that cuts with tools described in its comments.
 std::string commented(const std::string& second, const std::string& third) {
     return "(T1 D10 FLAT)\n(T2 " + second + " FLAT)\n" + third +
            "G21 G90\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX30\nT2 M6\nG1 Y30\n" +
            (third.empty() ? "" : "T3 M6\nG1 X0\n") + "G0 Z5\nM30\n";
 }
 
-/// The button that brings the default of the error allowance back.
+/// The button that resets the error allowance to its default.
 QToolButton* resetOf(const Bench& bench) {
     for (QToolButton* button : bench.station.window.findChildren<QToolButton*>())
         if (button->accessibleName() == QStringLiteral("Reset Error allowance"))
@@ -105,7 +105,7 @@ private slots:
         QTest::keyClick(&top, Qt::Key_Z, Qt::ControlModifier);
         QTest::keyClick(&top, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(bench.topZ(), -3.0);
-        // The simulation runs on it.
+        // The simulation uses it.
         QTRY_VERIFY_WITH_TIMEOUT(bench.session().simulation().frame() &&
                                      bench.session().simulation().frame()->setup->stock.corner.z == -3.0,
                                  kPatience);
@@ -140,7 +140,7 @@ private slots:
         auto& left = bench.box("dock-setup", "corner-x");
         const double leftBefore = left.value();
         QTest::keyClick(&left, Qt::Key_Up);
-        Bench::pressUndo(left); // at once
+        Bench::pressUndo(left); // immediately
         QCOMPARE(left.value(), leftBefore);
         QCOMPARE(bench.topZ(), -3.0);
         QTest::qWait(400);
@@ -195,7 +195,7 @@ private slots:
             kPatience);
         Bench::pressUndo(editor);
         QCOMPARE(bench.topZ(), -3.0);
-        // A view has nothing of its own: the last place of work counts on.
+        // A view has nothing to undo, so the previously focused input still counts.
         bench.box("dock-setup", "corner-z");
         bench.station.scale().setFocus();
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Top Z"));
@@ -211,7 +211,7 @@ private slots:
         top.selectAll();
         QTest::keyClicks(&top, QStringLiteral("77"));
         Bench::pressUndo(top);
-        QCOMPARE(bench.topZ(), -3.0); // only the digits are gone
+        QCOMPARE(bench.topZ(), -3.0); // only the typed digits are undone
         QVERIFY(!top.cleanText().contains(QStringLiteral("77")));
     }
 
@@ -254,7 +254,7 @@ private slots:
         QToolButton* reset = resetOf(bench);
         QTest::mouseClick(reset, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(session.job().parameters().allowance, initial, kPatience);
-        // The button is gone with what it resets; the keys still belong to the panel.
+        // The button is hidden once there is nothing to reset; keys still go to the panel.
         QWidget* const focus = QApplication::focusWidget();
         QVERIFY(focus != nullptr);
         QVERIFY(bench.station.window.findChild<QDockWidget*>("dock-tuning")->isAncestorOf(focus));
@@ -264,7 +264,7 @@ private slots:
         QCOMPARE(session.job().parameters().allowance, initial);
         Bench::pressUndo(allowance);
         QTRY_VERIFY_WITH_TIMEOUT(reset->isVisible(), kPatience);
-        // Typed, and never entered: it is a step all the same.
+        // A typed value that was not entered is a step too.
         allowance.selectAll();
         QTest::keyClicks(&allowance, QStringLiteral("0.3"));
         QTest::mouseClick(reset, Qt::LeftButton);
@@ -278,10 +278,10 @@ private slots:
         Bench bench;
         Session& session = bench.session();
         auto& allowance = bench.box("dock-tuning", "allowance");
-        bench.action("default-parameters").trigger(); // so that all else is a default already
+        bench.action("default-parameters").trigger(); // so that everything else has its default
         const double initial = session.job().parameters().allowance;
         Bench::type(allowance, QStringLiteral("0.2"));
-        bench.action("default-parameters").trigger(); // before the value is applied by itself
+        bench.action("default-parameters").trigger(); // before the value is applied by the timer
         QCOMPARE(session.job().parameters().allowance, initial);
         QTest::qWait(400);
         QCOMPARE(session.job().parameters().allowance, initial);
@@ -358,7 +358,7 @@ private slots:
         Session& session = bench.session();
         QVERIFY(session.job().setup().automaticGrid);
         Setup setup = session.job().setup();
-        setup.stock.corner.x -= 1; // so that the stock is the user's, and is not fitted again
+        setup.stock.corner.x -= 1; // so that the stock was set by the user and is not fitted again
         QVERIFY(session.job().setSetup(setup).has_value());
         setup.stock.width += 20;
         QVERIFY(session.job().setSetup(setup).has_value());
@@ -387,7 +387,7 @@ private slots:
         QVERIFY(session.document().saveJobAs(folder.filePath("part.proveout")));
         QVERIFY(!session.document().jobModified());
         session.job().undoStep();
-        QVERIFY(session.document().jobModified()); // the file has the other
+        QVERIFY(session.document().jobModified()); // the file has the other value
         session.job().redoStep();
         QVERIFY(!session.document().jobModified());
     }

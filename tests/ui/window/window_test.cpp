@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole window, worked as a user does.
+// The complete window, used as by a user.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -127,7 +127,7 @@ private slots:
         station.session.job().setParameters(parameters);
         QVERIFY(station.session.document().modified());
 
-        QString proposed; // the folder
+        QString proposed; // proposed folder
         QTimer refusal;
         connect(&refusal, &QTimer::timeout, this, [&proposed] {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
@@ -147,7 +147,7 @@ private slots:
     void theWholeLoop() {
         Workstation station(true);
         Session& session = station.session;
-        // Play by the space bar, pause by it.
+        // Space plays and pauses.
         station.scale().setFocus();
         QTest::keyClick(&station.scale(), Qt::Key_Space);
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() > 5, kPatience);
@@ -155,11 +155,11 @@ private slots:
         QTest::keyClick(&station.scale(), Qt::Key_Space);
         QVERIFY(!session.playback().state().playing);
         QTRY_VERIFY_WITH_TIMEOUT(!session.simulation().frame()->playing, kPatience);
-        // Step back by the arrow key: exactly one block, shown by timeline and editor.
+        // The arrow key steps back by exactly one block, which timeline and editor show.
         const std::size_t before = session.simulation().block();
         QTest::keyClick(&station.scale(), Qt::Key_Left);
         QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), before - 1, kPatience);
-        // So does a plot that has the focus.
+        // The same in a focused plot.
         auto* plot = station.window.findChild<QWidget*>(QStringLiteral("faces"));
         plot->setFocus();
         QTest::keyClick(plot, Qt::Key_Right);
@@ -172,7 +172,7 @@ private slots:
             editor.markerFindNext(0, 1 << 1),
             static_cast<int>(session.program().current()->blockLine(session.program().blockCount() - 1)) - 1,
             kPatience);
-        // Edit in the editor, behind the last motion: one motion more.
+        // An edit after the last motion adds a motion.
         const std::size_t blocks = session.program().blockCount();
         const int line = static_cast<int>(session.program().current()->blockLine(blocks - 1));
         editor.insertAt(QStringLiteral("G91 G1 Z1.\n"), line, 0);
@@ -181,13 +181,13 @@ private slots:
                                      session.simulation().block() == blocks + 1,
                                  kPatience);
         QVERIFY(station.window.isWindowModified());
-        // Change ε in its box: fewer faces.
+        // A larger allowance gives fewer triangles.
         const std::size_t faces = session.simulation().frame()->surface.faces;
         auto* allowance = station.window.findChild<QDoubleSpinBox*>(QStringLiteral("allowance"));
         allowance->setValue(0.5);
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->surface.faces < faces, kPatience);
         QCOMPARE(session.simulation().frame()->parameters.allowance, 0.5);
-        // Export, and read the file again.
+        // Exports, and reads the file again.
         QTemporaryDir folder;
         const QString file = folder.filePath("part.stl");
         QSignalSpy exported(&session.exports(), &ExportHub::exported);
@@ -224,12 +224,12 @@ private slots:
         for (const QAction* action : station.window.findChildren<QAction*>()) {
             if (action->isSeparator() || action->menu() != nullptr || action->shortcuts().isEmpty())
                 continue;
-            // Qt's own line edits and editors bring actions of their own.
+            // Qt's own line edits and editors add actions of their own.
             if (action->objectName().isEmpty() || action->objectName().startsWith(QLatin1String("_q_")))
                 continue;
             QVERIFY2(inMenus.contains(const_cast<QAction*>(action)), qPrintable(action->objectName()));
             const bool everywhere = action->shortcutContext() == Qt::WindowShortcut;
-            // Keys of the editor and of the 3D view act in different places.
+            // Shortcuts of the editor and of the 3D view are active in different places.
             const bool editing = action->objectName().startsWith(QLatin1String("edit-"));
             for (const QKeySequence& key : action->shortcuts()) {
                 const QString text = key.toString();
@@ -343,7 +343,7 @@ private slots:
         QCOMPARE(station.session.program().blockCount(), std::size_t{0});
         const auto* editor = station.window.findChild<NcEditor*>();
         QVERIFY(editor->text().startsWith(QLatin1String("0 BEGIN PGM A MM")));
-        // Values under the pointer are asked for by line; there are none.
+        // Values under the pointer are requested by line; this text has none.
         QTest::mouseMove(editor->viewport(), QPoint(60, 8));
         QTest::qWait(1500);
         QCOMPARE(station.session.problems().all().size(), std::size_t{1});

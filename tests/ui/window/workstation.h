@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window as tests work it.
+// The window for tests.
 #pragma once
 
 #include <QCoreApplication>
@@ -20,8 +20,7 @@ namespace proveout {
 
 inline constexpr int kPatience = 30'000; ///< ms
 
-/// Empty settings, and an empty folder of the application's data, that last as long as this object, in place
-/// of the user's.
+/// Empty settings and an empty application data folder while this object exists, instead of the user's.
 class OwnSettings {
 public:
     OwnSettings() {
@@ -36,7 +35,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// A window with its session on the settings of the test.
+/// A window with its session, using the settings of the test.
 struct Workstation {
     Appearance appearance;
     Session session;
@@ -51,13 +50,14 @@ struct Workstation {
     }
     void open(const QString& file) {
         window.files().open(file);
-        // A test cannot go on without a frame, and a macro of Qt Test would return from here only.
+        // A test cannot continue without a frame, and a macro of Qt Test would only return from this
+        // function.
         if (!openingIsOver(session) ||
             !QTest::qWaitFor([this] { return session.simulation().frame() != nullptr; }, kPatience))
             qFatal("no frame of %s", qPrintable(file));
     }
-    /// A shortcut of the window. It reaches an active window only, and after a question the window manager
-    /// takes its time to make it active again.
+    /// Presses a shortcut of the window. Only an active window receives it, and after a question the window
+    /// manager needs some time to activate it again.
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
         activate();
         QTest::keyClick(&window, key, modifiers);
