@@ -124,6 +124,21 @@
     </message>
 </context>
 <context>
+    <name>AppearanceMenus</name>
+    <message>
+        <source>Same as &amp;System</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+</context>
+<context>
     <name>BreakpointsPanel</name>
     <message>
         <source>Compare with &lt; &lt;= &gt; &gt;= == != and combine with &amp;&amp; || ! and parentheses. Values:</source>
@@ -320,6 +335,21 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Only the first %1 lines are shown.</source>
         <translation>Nur die ersten %1 Zeilen werden gezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>ControlForm</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>Automatisch: keiner davon</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisch: %1</translation>
     </message>
 </context>
 <context>
@@ -7709,6 +7739,18 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>Field</name>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>the second one with its unit</comment>
+        <translation>Bereich: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Vorgabe: %1</translation>
+    </message>
+</context>
+<context>
     <name>FileChangedBar</name>
     <message>
         <source>Read the file again; your unsaved changes are lost</source>
@@ -8758,29 +8800,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     </message>
 </context>
 <context>
-    <name>WorkHub</name>
-    <message>
-        <source>Simulating</source>
-        <translation>Simulation läuft</translation>
-    </message>
-    <message>
-        <source>Exporting</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>Reading the program</source>
-        <translation>Programm wird gelesen</translation>
-    </message>
-    <message>
-        <source>Opening the file</source>
-        <translation>Datei wird geöffnet</translation>
-    </message>
-    <message>
-        <source>Searching for the block</source>
-        <translation>Satz wird gesucht</translation>
-    </message>
-</context>
-<context>
     <name>SetupPanel</name>
     <message>
         <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
@@ -9123,6 +9142,33 @@ Datei nicht gefunden.</translation>
     <message>
         <source>Cut by block %1: line %2, tool %3.</source>
         <translation>Gefräst von Satz %1: Zeile %2, Werkzeug %3.</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
+        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation verwendet noch die zuvor gelesene Version.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
+        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation verwendet noch die zuvor gelesene Version; ohne die Datei lässt sich der Auftrag aber nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>Das Rohteil neu lesen und damit simulieren</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>Diese Version &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Continue with the stock read before</source>
+        <translation>Mit dem zuvor gelesenen Rohteil fortfahren</translation>
     </message>
 </context>
 <context>
@@ -9557,6 +9603,17 @@ Vorgabe: die nächste freie Nummer</translation>
     </message>
 </context>
 <context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1 (angenommen)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>kein Werkzeug</translation>
+    </message>
+</context>
+<context>
     <name>TuningPanel</name>
     <message>
         <source>Open a program to see the measured effect.</source>
@@ -9872,6 +9929,13 @@ Vorgabe: die nächste freie Nummer</translation>
     </message>
 </context>
 <context>
+    <name>WindowToolBar</name>
+    <message>
+        <source>Toolbar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+</context>
+<context>
     <name>WordTip</name>
     <message>
         <source>%1: unknown (%2)</source>
@@ -9919,90 +9983,26 @@ Vorgabe: die nächste freie Nummer</translation>
     </message>
 </context>
 <context>
-    <name>Tools</name>
+    <name>WorkHub</name>
     <message>
-        <source>%1 (assumed)</source>
-        <translation>%1 (angenommen)</translation>
+        <source>Simulating</source>
+        <translation>Simulation läuft</translation>
     </message>
     <message>
-        <source>no tool</source>
-        <translation>kein Werkzeug</translation>
-    </message>
-</context>
-<context>
-    <name>StockChangedBar</name>
-    <message>
-        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
-        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation verwendet noch die zuvor gelesene Version.</translation>
+        <source>Exporting</source>
+        <translation>Export</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
-        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation verwendet noch die zuvor gelesene Version; ohne die Datei lässt sich der Auftrag aber nicht öffnen.</translation>
+        <source>Reading the program</source>
+        <translation>Programm wird gelesen</translation>
     </message>
     <message>
-        <source>&amp;Reload</source>
-        <translation>Neu &amp;laden</translation>
+        <source>Opening the file</source>
+        <translation>Datei wird geöffnet</translation>
     </message>
     <message>
-        <source>Read the stock again and simulate with it</source>
-        <translation>Das Rohteil neu lesen und damit simulieren</translation>
-    </message>
-    <message>
-        <source>&amp;Keep This Version</source>
-        <translation>Diese Version &amp;behalten</translation>
-    </message>
-    <message>
-        <source>Continue with the stock read before</source>
-        <translation>Mit dem zuvor gelesenen Rohteil fortfahren</translation>
-    </message>
-</context>
-<context>
-    <name>AppearanceMenus</name>
-    <message>
-        <source>Same as &amp;System</source>
-        <translation>Wie das &amp;System</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>&amp;Dunkel</translation>
-    </message>
-</context>
-<context>
-    <name>WindowToolBar</name>
-    <message>
-        <source>Toolbar</source>
-        <translation>Werkzeugleiste</translation>
-    </message>
-</context>
-<context>
-    <name>ControlForm</name>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Automatic: none of these</source>
-        <translation>Automatisch: keiner davon</translation>
-    </message>
-    <message>
-        <source>Automatic: %1</source>
-        <translation>Automatisch: %1</translation>
-    </message>
-</context>
-<context>
-    <name>Field</name>
-    <message>
-        <source>Range: %1 to %2</source>
-        <comment>the second one with its unit</comment>
-        <translation>Bereich: %1 bis %2</translation>
-    </message>
-    <message>
-        <source>Default: %1</source>
-        <translation>Vorgabe: %1</translation>
+        <source>Searching for the block</source>
+        <translation>Satz wird gesucht</translation>
     </message>
 </context>
 </TS>

@@ -124,6 +124,21 @@
     </message>
 </context>
 <context>
+    <name>AppearanceMenus</name>
+    <message>
+        <source>Same as &amp;System</source>
+        <translation>시스템 설정(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>밝게(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>어둡게(&amp;D)</translation>
+    </message>
+</context>
+<context>
     <name>BreakpointsPanel</name>
     <message>
         <source>Compare with &lt; &lt;= &gt; &gt;= == != and combine with &amp;&amp; || ! and parentheses. Values:</source>
@@ -320,6 +335,21 @@ Default: 0 mm</source>
     <message>
         <source>Only the first %1 lines are shown.</source>
         <translation>처음 %1줄만 표시합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>ControlForm</name>
+    <message>
+        <source>Automatic</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>자동: 해당 없음</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>자동: %1</translation>
     </message>
 </context>
 <context>
@@ -7709,6 +7739,18 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>Field</name>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>the second one with its unit</comment>
+        <translation>범위: %1~%2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>기본값: %1</translation>
+    </message>
+</context>
+<context>
     <name>FileChangedBar</name>
     <message>
         <source>Read the file again; your unsaved changes are lost</source>
@@ -8757,29 +8799,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     </message>
 </context>
 <context>
-    <name>WorkHub</name>
-    <message>
-        <source>Simulating</source>
-        <translation>시뮬레이션 중</translation>
-    </message>
-    <message>
-        <source>Exporting</source>
-        <translation>내보내는 중</translation>
-    </message>
-    <message>
-        <source>Reading the program</source>
-        <translation>프로그램 읽는 중</translation>
-    </message>
-    <message>
-        <source>Opening the file</source>
-        <translation>파일 여는 중</translation>
-    </message>
-    <message>
-        <source>Searching for the block</source>
-        <translation>블록을 찾는 중</translation>
-    </message>
-</context>
-<context>
     <name>SetupPanel</name>
     <message>
         <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
@@ -9122,6 +9141,33 @@ File not found.</source>
     <message>
         <source>Cut by block %1: line %2, tool %3.</source>
         <translation>블록 %1에서 절삭: %2번 줄, 공구 %3.</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전에 읽은 버전을 사용합니다.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
+        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전에 읽은 버전을 사용하지만, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>다시 읽기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>소재를 다시 읽어 시뮬레이션합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>이 버전 유지(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Continue with the stock read before</source>
+        <translation>이전에 읽은 소재로 계속합니다</translation>
     </message>
 </context>
 <context>
@@ -9556,6 +9602,17 @@ Default: the next free number</source>
     </message>
 </context>
 <context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1(가정)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>공구 없음</translation>
+    </message>
+</context>
+<context>
     <name>TuningPanel</name>
     <message>
         <source>Open a program to see the measured effect.</source>
@@ -9871,6 +9928,13 @@ Default: the next free number</source>
     </message>
 </context>
 <context>
+    <name>WindowToolBar</name>
+    <message>
+        <source>Toolbar</source>
+        <translation>도구 모음</translation>
+    </message>
+</context>
+<context>
     <name>WordTip</name>
     <message>
         <source>%1: unknown (%2)</source>
@@ -9918,90 +9982,26 @@ Default: the next free number</source>
     </message>
 </context>
 <context>
-    <name>Tools</name>
+    <name>WorkHub</name>
     <message>
-        <source>%1 (assumed)</source>
-        <translation>%1(가정)</translation>
+        <source>Simulating</source>
+        <translation>시뮬레이션 중</translation>
     </message>
     <message>
-        <source>no tool</source>
-        <translation>공구 없음</translation>
-    </message>
-</context>
-<context>
-    <name>StockChangedBar</name>
-    <message>
-        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
-        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전에 읽은 버전을 사용합니다.</translation>
+        <source>Exporting</source>
+        <translation>내보내는 중</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
-        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전에 읽은 버전을 사용하지만, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
+        <source>Reading the program</source>
+        <translation>프로그램 읽는 중</translation>
     </message>
     <message>
-        <source>&amp;Reload</source>
-        <translation>다시 읽기(&amp;R)</translation>
+        <source>Opening the file</source>
+        <translation>파일 여는 중</translation>
     </message>
     <message>
-        <source>Read the stock again and simulate with it</source>
-        <translation>소재를 다시 읽어 시뮬레이션합니다</translation>
-    </message>
-    <message>
-        <source>&amp;Keep This Version</source>
-        <translation>이 버전 유지(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Continue with the stock read before</source>
-        <translation>이전에 읽은 소재로 계속합니다</translation>
-    </message>
-</context>
-<context>
-    <name>AppearanceMenus</name>
-    <message>
-        <source>Same as &amp;System</source>
-        <translation>시스템 설정(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>밝게(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>어둡게(&amp;D)</translation>
-    </message>
-</context>
-<context>
-    <name>WindowToolBar</name>
-    <message>
-        <source>Toolbar</source>
-        <translation>도구 모음</translation>
-    </message>
-</context>
-<context>
-    <name>ControlForm</name>
-    <message>
-        <source>Automatic</source>
-        <translation>자동</translation>
-    </message>
-    <message>
-        <source>Automatic: none of these</source>
-        <translation>자동: 해당 없음</translation>
-    </message>
-    <message>
-        <source>Automatic: %1</source>
-        <translation>자동: %1</translation>
-    </message>
-</context>
-<context>
-    <name>Field</name>
-    <message>
-        <source>Range: %1 to %2</source>
-        <comment>the second one with its unit</comment>
-        <translation>범위: %1~%2</translation>
-    </message>
-    <message>
-        <source>Default: %1</source>
-        <translation>기본값: %1</translation>
+        <source>Searching for the block</source>
+        <translation>블록을 찾는 중</translation>
     </message>
 </context>
 </TS>

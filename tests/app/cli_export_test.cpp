@@ -77,7 +77,8 @@ TEST_F(CliExport, UnknownEndingsAreRefusedBeforeTheWork) {
             EXPECT_EQ(done.exitCode, 3);
             EXPECT_TRUE(done.reports(file +
                                          ": error: The extension of this name is not that of a mesh format; "
-                                         "there are .stl .obj .ply .3mf.",
+                                         "there are " +
+                                         meshEndings() + ".",
                                      "export-format-unknown"))
                 << done.err;
             EXPECT_EQ(done.json()["findings"][0]["id"], "export-format-unknown");

@@ -27,7 +27,7 @@ protected:
         std::istringstream lines(read(name));
         for (std::string line; std::getline(lines, line);) {
             rows.emplace_back();
-            std::istringstream cells(line);
+            std::istringstream cells(line + ','); // the last cell may be empty
             for (std::string cell; std::getline(cells, cell, ',');)
                 rows.back().push_back(cell);
         }

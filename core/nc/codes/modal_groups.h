@@ -4,6 +4,9 @@
 // of a code on the state is in its own row (codes.h).
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "core/nc/codes/codes.h"
 
 namespace proveout {
@@ -13,13 +16,24 @@ struct MachineState;
 /// A code of a group, as tenths of its number: 170 for G17.
 using CodeOfState = int (*)(const MachineState&, const Dialect&);
 
+/// Who reads the code in force of a group, besides macros and hover help; bits.
+enum GroupReader : std::uint8_t {
+    kReadByNone = 0,
+    kReadByPanel = 1,   ///< the control panel lists it
+    kReadByRestore = 2, ///< M72 and a return after M73 restore it, by the one block that restores all groups
+};
+
 struct ModalGroupRow {
     ModalGroup group;
-    const char* name;               ///< marked with PROVEOUT_TEXT
-    CodeOfState inForce = nullptr;  ///< null: the state does not store it
-    char letter = 'G';              ///< of that code
+    const char* name;                   ///< marked with PROVEOUT_TEXT
+    CodeOfState inForce = nullptr;      ///< null: the state does not store it
+    std::uint8_t readers = kReadByNone; ///< GroupReader bits
+    char letter = 'G';                  ///< of that code
     CodeOfState restores = nullptr; ///< if LinuxCNC restores the group by a code other than the one in force
 };
+
+/// In the order of ModalGroup.
+[[nodiscard]] std::span<const ModalGroupRow> modalGroups();
 
 [[nodiscard]] const ModalGroupRow& rowOf(ModalGroup group);
 

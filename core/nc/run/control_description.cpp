@@ -16,14 +16,6 @@ namespace proveout {
 
 namespace {
 
-/// The groups that are shown, in this order.
-constexpr std::array kShown{ModalGroup::motion,      ModalGroup::plane,      ModalGroup::distance,
-                            ModalGroup::arcDistance, ModalGroup::feedMode,   ModalGroup::units,
-                            ModalGroup::retract,     ModalGroup::toolLength, ModalGroup::cutterCompensation,
-                            ModalGroup::workOffset,  ModalGroup::polar,      ModalGroup::mirroring,
-                            ModalGroup::scaling,     ModalGroup::rotation,   ModalGroup::spindleMode,
-                            ModalGroup::spindle};
-
 std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTable& codes,
                                         const Dialect& dialect) {
     std::vector<ControlState::Mode> modes;
@@ -34,8 +26,9 @@ std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTab
             modes.push_back(
                 {fmt::format("{}{:g}", letter, row->tenths / 10.0), row->name, nameOf(row->group)});
     };
-    for (const ModalGroup group : kShown)
-        add(rowOf(group).letter, activeCode(state, group, dialect));
+    for (const ModalGroupRow& row : modalGroups())
+        if ((row.readers & kReadByPanel) != 0)
+            add(row.letter, activeCode(state, row.group, dialect));
     // Both coolants may be on.
     if (state.mist)
         add('M', 70);

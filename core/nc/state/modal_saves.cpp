@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/state/modal_saves.h"
 
-#include <array>
-
 #include "core/nc/codes/modal_groups.h"
 #include "core/nc/state/active_codes.h"
 
 namespace proveout {
 
 namespace {
-
-/// The groups that are restored together, by one block. The units come before, because the feed is in them.
-constexpr std::array kRestored{
-    ModalGroup::feedMode,           ModalGroup::spindleMode, ModalGroup::spindle,    ModalGroup::plane,
-    ModalGroup::cutterCompensation, ModalGroup::toolLength,  ModalGroup::workOffset, ModalGroup::distance,
-    ModalGroup::arcDistance,        ModalGroup::retract,     ModalGroup::shiftEnd};
 
 Block blockOf(const Word& place, char letter, double value) {
     Block block;
@@ -66,6 +58,7 @@ std::optional<MachineState> ModalSaves::endRun(std::size_t level) {
 std::vector<Block> blocksToRestore(const MachineState& from, const MachineState& to, const Dialect& dialect,
                                    const Word& word) {
     std::vector<Block> blocks;
+    // The units come before all others, because the feed is in them.
     if (from.inch != to.inch)
         blocks.push_back(blockOf(word, 'G', restoringCode(to, ModalGroup::units, dialect)));
     Block block;
@@ -73,8 +66,10 @@ std::vector<Block> blocksToRestore(const MachineState& from, const MachineState&
         if (before != value)
             static_cast<void>(block.add({letter, value, word.column, word.length, true}));
     };
-    for (const ModalGroup group : kRestored)
-        restore(rowOf(group).letter, restoringCode(from, group, dialect), restoringCode(to, group, dialect));
+    for (const ModalGroupRow& row : modalGroups())
+        if ((row.readers & kReadByRestore) != 0)
+            restore(row.letter, restoringCode(from, row.group, dialect),
+                    restoringCode(to, row.group, dialect));
     restore('F', from.feedNumber, to.feedNumber);
     restore('S', from.spindleRpm, to.spindleRpm);
     if (!block.empty())

@@ -95,7 +95,7 @@ TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
     const Diagnostic& warning = stl->warnings.front();
     EXPECT_STREQ(warning.id, "export-rounded-beyond");
     EXPECT_EQ(warning.severity, Severity::warning);
-    EXPECT_THAT(hintText(warning), HasSubstr("double precision: .obj .ply .3mf."));
+    EXPECT_THAT(hintText(warning), HasSubstr("double precision: .obj .ply"));
     EXPECT_EQ(warning.file, (m_folder / "a.stl").string());
     EXPECT_THAT(
         message(warning),

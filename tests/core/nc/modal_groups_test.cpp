@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <map>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,19 +17,18 @@
 namespace proveout {
 namespace {
 
-/// Groups whose codes need no other word.
-constexpr std::array kPlain{ModalGroup::plane,    ModalGroup::distance,    ModalGroup::arcDistance,
-                            ModalGroup::feedMode, ModalGroup::units,       ModalGroup::retract,
-                            ModalGroup::polar,    ModalGroup::spindleMode, ModalGroup::workOffset};
+/// Groups that the state keeps and the control panel does not show, or whose codes need other words.
+constexpr std::array kOthers{ModalGroup::motion, ModalGroup::shiftEnd, ModalGroup::macroCall};
 
 /// Haas' additional work offsets, and G70 and G71 of Mach, are shown by their usual name.
 bool isOtherName(const CodeRow& row) {
-    return row.tenths >= 1000 || (row.group == ModalGroup::units && row.tenths >= 700);
+    return (row.group == ModalGroup::workOffset && row.tenths >= 1000) ||
+           (row.group == ModalGroup::units && row.tenths >= 700);
 }
 
 bool isPlain(const CodeRow& row) {
-    return std::ranges::find(kPlain, row.group) != kPlain.end() && row.handler != nullptr &&
-           row.letters.empty() && !isOtherName(row);
+    return rowOf(row.group).inForce != nullptr && std::ranges::find(kOthers, row.group) == kOthers.end() &&
+           row.handler != nullptr && row.letters.empty() && !isOtherName(row);
 }
 
 /// The active code of a group at the end of a program, as the control panel shows it.
@@ -62,16 +64,29 @@ TEST(ModalGroups, ACodeThatWasExecutedIsTheOneInForce) {
     EXPECT_GT(codes, 60);
 }
 
+/// The supported codes of LinuxCNC that need no other word, by the name of their group.
+std::map<std::string, std::vector<std::string>> plainCodes() {
+    std::map<std::string, std::vector<std::string>> codes;
+    for (const CodeRow* row : codesOf(DialectId::linuxcnc).rows())
+        if (isPlain(*row))
+            codes[nameOf(row->group)].push_back(fmt::format("{}{:g}", row->letter, row->tenths / 10.0));
+    return codes;
+}
+
 TEST(ModalGroups, SavedStatesComeBackByTheCodesOfTheTable) {
-    const std::string set = "G18 G91 G90.1 G93 G98 G59.2\n";
-    const std::string others = "G17 G90 G91.1 G94 G99 G55\n";
-    for (const ModalGroup group : {ModalGroup::plane, ModalGroup::distance, ModalGroup::arcDistance,
-                                   ModalGroup::feedMode, ModalGroup::retract, ModalGroup::workOffset}) {
-        const std::string before = codeLeftBy(set, nameOf(group), DialectId::linuxcnc);
-        EXPECT_NE(before, "");
-        EXPECT_NE(codeLeftBy(set + others, nameOf(group), DialectId::linuxcnc), before);
-        EXPECT_EQ(codeLeftBy(set + "M70\n" + others + "M72\n", nameOf(group), DialectId::linuxcnc), before);
+    int groups = 0;
+    for (const auto& [group, codes] : plainCodes()) {
+        for (std::size_t i = 1; i < codes.size(); ++i) {
+            const std::string before = codes[i] + "\n";
+            const std::string after = codes[i - 1] + "\n";
+            EXPECT_EQ(codeLeftBy(before + after, group.c_str(), DialectId::linuxcnc), codes[i - 1]) << group;
+            EXPECT_EQ(codeLeftBy(before + "M70\n" + after + "M72\n", group.c_str(), DialectId::linuxcnc),
+                      codes[i])
+                << group;
+        }
+        groups += codes.size() > 1 ? 1 : 0;
     }
+    EXPECT_GE(groups, 7);
 }
 
 } // namespace
