@@ -56,9 +56,6 @@ constexpr ModalGroupRow kGroups[] = {
     {ModalGroup::tapping, PROVEOUT_TEXT("Core", "tapping")},
 };
 static_assert(std::size(kGroups) == static_cast<std::size_t>(ModalGroup::count));
-static_assert(std::ranges::all_of(kGroups, [](const ModalGroupRow& row) {
-    return row.readers == kReadByNone || row.inForce != nullptr;
-}));
 static_assert(std::ranges::is_sorted(kGroups, {}, &ModalGroupRow::group));
 
 } // namespace

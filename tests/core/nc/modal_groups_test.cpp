@@ -44,8 +44,11 @@ std::string codeLeftBy(const std::string& text, const char* group, DialectId dia
 }
 
 TEST(ModalGroups, HaveTheirRows) {
-    for (int i = 0; i < static_cast<int>(ModalGroup::count); ++i)
-        EXPECT_EQ(rowOf(static_cast<ModalGroup>(i)).group, static_cast<ModalGroup>(i));
+    for (int i = 0; i < static_cast<int>(ModalGroup::count); ++i) {
+        const ModalGroupRow& row = rowOf(static_cast<ModalGroup>(i));
+        EXPECT_EQ(row.group, static_cast<ModalGroup>(i));
+        EXPECT_TRUE(row.readers == kReadByNone || row.inForce != nullptr) << row.name;
+    }
 }
 
 TEST(ModalGroups, ACodeThatWasExecutedIsTheOneInForce) {
