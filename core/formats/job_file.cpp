@@ -70,7 +70,8 @@ void readStockField(JsonFields& fields, const StockField& field, const Reach& re
     }
 }
 
-/// If a job does not give the position, the top of a box is at 0, and a body stays in its own coordinates.
+/// If a job does not give the position, a box has its corner at X0 Y0 and its top at Z0, and a body stays in
+/// its own coordinates.
 struct DescribedStock {
     StockSpec spec;
     std::optional<Vec3> corner;

@@ -52,8 +52,8 @@ Vec3 normalized(const Vec3& normal) {
 /// Turns triangles into facets and counts those that lose their area or turn over by the rounding.
 class Rounding {
 public:
-    /// Vertices that may merge are searched in this many passes, each over a part of them, because a welder
-    /// of all would need as much memory as the mesh.
+    /// Vertices that may merge are searched for in this many passes, each over a part of them, because a
+    /// welder of all would need as much memory as the mesh.
     static constexpr std::size_t kParts = 8;
 
     explicit Rounding(const TriangleMesh& mesh) : m_mesh(mesh), m_coarse(isCoarse(mesh)) {}

@@ -29,7 +29,7 @@ constexpr double kFarthest = 1e7;
 /// that it covers.
 constexpr double kMostLayers = 200;
 constexpr double kAbsent = -1e30;
-/// Crossings are searched slightly beside the point, by these offsets in mm, so that an edge through the
+/// Crossings are searched for slightly beside the point, by these offsets in mm, so that an edge through the
 /// point cannot make the result ambiguous.
 constexpr double kAsideX = 0.71e-7;
 constexpr double kAsideY = 1.13e-7;

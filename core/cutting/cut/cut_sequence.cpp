@@ -51,10 +51,7 @@ public:
         bin(pairs);
     }
 
-    [[nodiscard]] std::size_t end() const {
-        return m_first + m_count;
-    } ///< the first motion after the
-      ///< portion
+    [[nodiscard]] std::size_t end() const { return m_first + m_count; } ///< index after the last motion
 
     /// False if it was stopped; some tiles have been lowered then.
     bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records,

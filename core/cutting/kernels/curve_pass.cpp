@@ -13,8 +13,7 @@ namespace {
 constexpr double kBulge = 2e-5;
 constexpr int kMostPieces = 4096;
 /// mm per mm. Single precision resolves positions to a millionth of a millimetre or two; a piece that is
-/// steeper moves over ground by less than a thousandth of its height, and is treated as a plunge to its lower
-/// end.
+/// steeper moves over ground by less than 1/300 of its height, and is treated as a plunge to its lower end.
 constexpr double kSteepest = 300;
 
 /// The number of pieces for a curve whose second derivative is nowhere larger than `bend`, over [begin, end].

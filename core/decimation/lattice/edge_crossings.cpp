@@ -18,7 +18,7 @@ struct Family {
     std::int32_t cFrom, cTo; ///< lines of the edge's ends
     std::int32_t sFrom, sTo; ///< positions of the ends along the lines
     std::int32_t step;       ///< distance between lines
-    std::int32_t offset;     ///< the first line
+    std::int32_t offset;     ///< of a line; the others are multiples of `step` from it
     std::ptrdiff_t across;
     std::ptrdiff_t along;
 };

@@ -85,7 +85,7 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
         return failure(decimation_finding::kMethodMapTooLarge,
                        {kMethodChoices[static_cast<std::size_t>(parameters.method)].key,
                         fmt::format("{:.0f}", most), fmt::format("{:.0f}", points)});
-    DecimationParameters coarser = parameters; // for which defaultRegion() is smaller
+    DecimationParameters coarser = parameters; // of coarser grids, for which defaultRegion() is smaller
     coarser.regionCells = std::min(parameters.regionCells, row(parameters.method).defaultRegion);
     return checkMemory(stock, grid, limitBytes, meshBytesPerPoint(parameters, outputs),
                        meshBytesPerPoint(coarser, outputs));

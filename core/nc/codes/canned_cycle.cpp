@@ -106,7 +106,7 @@ constexpr CannedCycle kFanucCycles[] = {
     {890, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, feedToR, rapidToClearance}},
 };
 
-// Where Haas differs from Fanuc. Source: HAAS Mill Operator's Manual.
+// Where Haas differs from Fanuc. Source: HAAS Mill Operator's Manual, canned cycles.
 constexpr CannedCycle kHaasCycles[] = {
     {730, true, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, dwell, rapidToClearance}},
     {740, false, false, SpindleNeed::counterClockwise, kTapping},

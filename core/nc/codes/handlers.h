@@ -201,8 +201,8 @@ void endProgram(Execution& execution, const Word& word);                  ///< M
 /// Whether grbl runs the block. It rejects the whole block if anything in it is wrong; that is reported.
 [[nodiscard]] bool mayRunOnGrbl(Execution& execution);
 
-/// The error code with which grbl answers a message, with the remedy; null if there is none. A literal marked
-/// with PROVEOUT_TEXT.
+/// The error code with which grbl answers the mistake that a message reports, with the remedy; null if there
+/// is none. A literal marked with PROVEOUT_TEXT.
 [[nodiscard]] const char* answerOfGrbl(const FindingRow& message);
 
 } // namespace proveout

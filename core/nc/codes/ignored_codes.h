@@ -22,7 +22,7 @@ struct IgnoredCode {
     const char* name = ""; ///< from the dialect's table, marked with PROVEOUT_TEXT; empty: from the user's
                            ///< list
     std::size_t count = 0; ///< the number of executions
-    std::vector<std::uint32_t> lines; ///< of the main text, 1-based, the first ones that differ
+    std::vector<std::uint32_t> lines; ///< of the main text, 1-based, each once, the first ones
     bool moreLines = false;           ///< there are more than kMostLines
     int column = 1;                   ///< in the first of these lines
     int length = 0;

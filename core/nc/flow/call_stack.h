@@ -78,10 +78,7 @@ public:
         return static_cast<std::uint32_t>(mainLine() + 1);
     }
     [[nodiscard]] bool inMainProgram() const { return m_levels.empty(); }
-    [[nodiscard]] Level& level() {
-        return m_levels.back();
-    }                                                                        ///< not valid in the main
-                                                                             ///< program
+    [[nodiscard]] Level& level() { return m_levels.back(); }                 ///< only within a call
     [[nodiscard]] std::span<const Level> levels() const { return m_levels; } ///< the outermost first
     /// The file of the line with the call; empty if that is the program itself.
     [[nodiscard]] std::string fileOf(const Level& level) const {
@@ -100,9 +97,9 @@ public:
         std::uint64_t endedRuns = 0;
         std::uint64_t roundsCounted = 0;
         Counts counts;
-        bool indexAsked = false; ///< whether O-words, programs or block numbers have been searched
+        bool indexAsked = false; ///< whether O-words, programs or block numbers have been looked up
     };
-    /// Nothing within a call, or once a subprogram was searched in a file, which may change.
+    /// Nothing within a call, or once a subprogram was searched for in a file, which may change.
     [[nodiscard]] std::optional<Place> place() const;
     void continueAt(const Place& place);
 

@@ -73,8 +73,8 @@ private:
     Reporter& m_reporter;
     LintMemory& m_lint;
     std::optional<ModalCall> m_modal;
-    /// Files of programs that the texts do not contain. Their many possible names are searched once, not at
-    /// each call.
+    /// Files of programs that the texts do not contain. Their many possible names are searched for once, not
+    /// at each call.
     std::unordered_map<std::string, ProgramFile> m_files;
     std::size_t m_rest = 0;
 };

@@ -48,13 +48,13 @@ struct ForeignKindRow {
 /// The form of a line that a pattern is matched with: all are in upper case, without blanks at both ends and
 /// with one between words.
 enum class LineForm : std::uint8_t {
-    first,    ///< the first line that is not empty, unchanged
-    line,     ///< any line, unchanged
+    first,    ///< the first line that is not empty, with comments
+    line,     ///< any line, with comments
     block,    ///< without comments and block number
     squeezed, ///< the same, without any blanks
 };
 
-/// Signs of one kind decide if their total weight is this.
+/// Signs of one kind decide if their total weight is at least this.
 inline constexpr int kForeignDecides = 100;
 
 struct ForeignSign {

@@ -81,7 +81,7 @@ struct MachineState {
     bool dataInput = false; ///< from G10 L50 to G11
 
     CutterCompensation compensation;
-    bool straightDue = false; ///< since G40, until the next arc
+    bool straightDue = false; ///< since G40, a straight motion is needed before the next arc
     OrderedCorner corner;     ///< of Fanuc's dialect
 
     /// Of the tip of the cutter, in machine coordinates; the programmed position, even if cutter compensation

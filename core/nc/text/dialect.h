@@ -130,7 +130,8 @@ struct Dialect {
     double leastInverseFeed = 0;    ///< to which G93 raises a lower feed, in units of the program per minute
     bool noReferenceInCycle = false;      ///< G27 to G30 while a canned cycle is in force are an alarm
     bool (*mayRun)(Execution&) = nullptr; ///< false: reported, and the control drops the block
-    /// The answer of the control when it drops a block because of a message; null: no answer is known.
+    /// The answer of the control when it drops a block for the mistake that a message reports; null: no
+    /// answer is known.
     const char* (*answer)(const FindingRow&) = nullptr;
 };
 

@@ -32,8 +32,9 @@ struct Frame {
     ErrorLevel level = ErrorLevel::sample; ///< where the errors of the surface were measured
     PersistentArray<BlockStatistics>
         statistics; ///< row k: block k+1; may extend beyond `block` after a seek back
-    /// Findings of the simulation: what is known about stock, program and tools before any block, with block
-    /// 0; then the findings of the executed blocks (also beyond `block` after a seek back), in order.
+    /// Findings of the simulation: what is known about stock, program and tools before any block, already
+    /// at block 0; then the findings of the executed blocks (also beyond `block` after a seek back), in
+    /// order.
     Diagnostics findings;
     Vec3 cutterPosition{0};
     bool cutterKnown = false;

@@ -24,8 +24,8 @@ namespace proveout {
 void setControl(const Setup& setup, InterpretOptions& options);
 
 /// The options for interpreting a program with a setup, whose stock its probing motions touch. `file` is the
-/// location of the program, and names it in messages; subprograms are searched beside it. Empty if the
-/// program has no file yet. The memory limits apply.
+/// location of the program, and names it in messages; subprograms are searched for beside it. Empty if
+/// the program has no file yet. Its motions may use programBytesThatFit().
 [[nodiscard]] InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file);
 
 /// The same for interpreting `program` again, which was interpreted with that setup: with the tool assumed to

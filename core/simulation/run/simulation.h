@@ -55,8 +55,8 @@ public:
     /// kept. Returns the block to continue from, the old position or the last block kept, whichever is
     /// smaller; the position is there or at an earlier block, from which `seek` moves there.
     [[nodiscard]] std::size_t noteProgram(std::shared_ptr<const Program> program);
-    /// Bytes for checkpoints; the oldest ones are thinned out beyond that. 0: only the uncut stock is kept,
-    /// for runs that only move forward.
+    /// Bytes for checkpoints; beyond that they are packed and thinned out (Checkpoints). 0: only the uncut
+    /// stock is kept, for runs that only move forward.
     void setCheckpointBudget(std::size_t bytes);
 
     /// Whether refine() has anything to do: the certified method shows its surface at the requested level,

@@ -55,8 +55,8 @@ struct SimulationThread::State {
     bool playing = false;
     bool everyBlock = false;
     Breakpoints breakpoints;
-    std::optional<std::size_t> playedFrom; ///< breakpoints before this block are ignored, because playback
-                                           ///< started here
+    std::optional<std::size_t> playedFrom; ///< no breakpoint stops the run before this block again:
+                                           ///< playback started here
     std::shared_ptr<const BreakpointHit> stoppedBy;
     bool resting = false; ///< cancelled: nothing is resumed before the next command
     Clock::time_point restsFrom;
