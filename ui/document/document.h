@@ -14,7 +14,7 @@ namespace proveout {
 
 enum class LineEnd : std::uint8_t { lf, crLf, cr };
 
-/// Larger texts are read-only: inserting in the middle of them would block the window.
+/// Texts with more bytes are read-only: inserting in the middle of them would block the window.
 inline constexpr std::size_t kEditableBytes = 10'000'000;
 
 /// Texts with a longer line are read-only and their long lines are cut off, because the editor lays out a

@@ -39,7 +39,7 @@ struct KeptWork {
     std::filesystem::path keptText; ///< where the text was backed up; empty: it had no changes
     std::string programDigest;      ///< DiskCopy::digest() of the program file at that time
     QString jobFile;                ///< the job file of setup and parameters; empty: none
-    std::filesystem::path keptJob;  ///< where setup and parameters were backed up; empty: they had no changes
+    std::filesystem::path keptJob;  ///< backup, or the job file if it is unchanged; empty: there is neither
     std::string jobDigest;          ///< the same for the job file
     bool jobModified = false;
 };

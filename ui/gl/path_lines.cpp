@@ -8,7 +8,7 @@ namespace proveout {
 namespace {
 
 constexpr double kChordError = 0.02;
-constexpr double kCoarsest = 100; ///< mm; with larger chords an arc is no longer recognisable
+constexpr double kCoarsest = 100; ///< mm; with a larger chord error an arc is no longer recognisable
 constexpr int kMostChords = 512;
 /// Before and after a block: half of a frame's limit each.
 constexpr std::size_t kMostMotions = kMostPathLines / 4;

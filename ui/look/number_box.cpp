@@ -40,7 +40,8 @@ bool isOutOfRange(const Box& box, double value) {
     return outside && value != static_cast<double>(box.value());
 }
 
-/// A number out of range may become valid with the next key, and so may one without its sign.
+/// A number out of range may become valid with the next key. A minus sign alone is accepted too, because -5
+/// would become 5 without it.
 template<class Box>
 QValidator::State stateOf(const Box& box, QValidator::State state, const QString& text) {
     const auto typed = typedNumber(box, text);

@@ -13,7 +13,7 @@ void append(std::string& text, double value) {
     if (std::isnan(value))
         return;
     std::array<char, 32> digits{};
-    // Most values come from floats and counts, which nine digits represent exactly.
+    // Most values come from floats and counts, which are read back exactly from nine digits.
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 9);
     text.append(digits.data(), end.ptr);

@@ -307,7 +307,7 @@ std::optional<QCPRange> PlotView::valuesInSight() const {
 
 std::size_t PlotView::rowAt(double block) const {
     const auto points = graph(0)->data();
-    auto found = points->findBegin(block, false); // the first frame that extends this far
+    auto found = points->findBegin(block, false); // the first point at or after `block`
     found = std::clamp(found, points->constBegin(), points->constEnd() - 1);
     if (found != points->constBegin() && block - (found - 1)->key < found->key - block)
         --found;

@@ -28,7 +28,7 @@ struct PickedPlace {
 struct PlaceAnswer {
     enum class Kind : std::uint8_t {
         noStock,
-        neverCut, ///< not up to `block`
+        neverCut, ///< by no block up to `block`
         outdated, ///< program or setup have changed since that moment
         cut,      ///< by block `block`
     };

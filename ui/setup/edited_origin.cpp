@@ -17,7 +17,7 @@ void addChanges(const std::map<std::string, double>& before, const std::map<std:
             changed.insert(key);
 }
 
-/// The keys that only the new shape has get default values.
+/// The keys that only the new shape has count as defaults, because they were not entered.
 void useShape(ToolOrigin& origin, const ToolSpec& before, const ToolSpec& after) {
     std::erase_if(origin.defaults, [&](const std::string& key) { return !after.values.contains(key); });
     for (const auto& row : after.values)

@@ -16,7 +16,7 @@ class QToolButton;
 namespace proveout {
 
 /// One row per field of DecimationParameters that the method uses, created from describe(): label, editor
-/// with unit and range, and a button that resets the default. Changing the method sets its defaults for
+/// with unit and range, and a button that resets it to the default. Changing the method sets its defaults for
 /// values that had the previous method's defaults. Text that is not a number is never adopted.
 class ParameterForm final : public QWidget {
     Q_OBJECT

@@ -115,7 +115,7 @@ private:
     Choosing m_choosing = Choosing::nothing;
     DetailChoice* m_detail;
     PointerPlace* m_place;
-    std::unique_ptr<ScenePicture> m_picture; ///< destroyed before its content and the context
+    std::unique_ptr<ScenePicture> m_picture; ///< destroyed before what it draws and before the context
 
     CameraDrag m_drag;
     std::optional<QPointF> m_pressed; ///< start of a click that has not become a drag

@@ -39,8 +39,8 @@ struct DockLayout {
 /// The layout with this id, or the first one if there is no such layout.
 [[nodiscard]] const DockLayout& dockLayout(std::string_view id);
 
-/// Adds a dock to a layout that does not contain it, as the last tab of the first place of `area`. `id` is
-/// static data.
+/// Adds a dock to a layout that does not contain it, as the last tab of the first tab group in `area`. `id`
+/// is static data.
 void placeUnnamed(DockLayout& layout, const char* id, DockArea area);
 
 /// Arranges and shows the docks that the layout names. Sizes depend on the size of the window, which must be

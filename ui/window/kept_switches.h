@@ -16,8 +16,8 @@ class KeptSwitches final : public QObject {
     Q_OBJECT
 
 public:
-    /// The current states become the defaults; then the commands are set to the states in the settings. They
-    /// must outlive this object. `group` is a name in the settings.
+    /// The current states become the defaults; then the commands are set to the states in the settings. The
+    /// actions must outlive this object. `group` is a name in the settings.
     KeptSwitches(QString group, const QList<QAction*>& actions, QObject* parent);
     /// Restores the defaults.
     void reset();

@@ -54,7 +54,7 @@ public:
     /// Like QMainWindow::restoreState(), but also for the state of a window with fewer panels: the others
     /// keep the places from the last layout. If it returns false, nothing has changed.
     bool restore(const QByteArray& state, int version);
-    /// Brings a panel to the front; the id must be in one of the rows.
+    /// Brings a panel to the front; the id must be that of a row.
     void show(std::string_view id);
     /// The same, and also gives it the focus.
     void activate(std::string_view id);

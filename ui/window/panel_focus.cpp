@@ -128,7 +128,8 @@ void PanelFocus::focusMoved(QWidget* focus) {
     if (focus == nullptr || ofMenu)
         return;
     m_last = focus;
-    // A command that works in a panel, as Find does, must be run where its result is visible.
+    // A command that works in a panel, as Find does, may move the focus into a hidden panel: it is then
+    // shown.
     QDockWidget* dock = dockOf(focus);
     if (dock == nullptr || dock->widget()->isVisible())
         return;

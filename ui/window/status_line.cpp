@@ -42,7 +42,7 @@ QString wordValue(QLocale locale, double value) {
     return locale.toString(value, 'g', 6);
 }
 
-/// The last motion before the end of the frame's block.
+/// The last motion that was executed in the frame.
 Motion lastMotion(const Frame& frame) {
     return frame.program->motion(frame.program->blockMotions(frame.block - 1).last - 1);
 }

@@ -156,7 +156,7 @@ std::vector<FaultCase> writeFaultCases(const fs::path& folder, const fs::path& s
     writeJobFaults(writer);
     if (big)
         writeBigFaults(writer);
-    returnFreedMemory(); // the measured peak of a child includes the memory of its parent
+    returnFreedMemory(); // the measured peak of a child starts at the memory of its parent
     // Files that are not in the table come last.
     const auto place = [](const FaultCase& fault) { return fault.number == 0 ? 1000 : fault.number; };
     std::ranges::stable_sort(cases, {}, place);

@@ -25,7 +25,7 @@ struct PeerResult {
     double seconds = 0;                      ///< CPU time of the decimation, without preparing its input
 };
 
-/// A decimator with one of its own error measures. `faces` is the result of ours at the surface level.
+/// A decimator in one of its modes. `faces` is the result of ours at the surface level.
 struct Peer {
     const char* name;
     const char* asked;

@@ -9,7 +9,7 @@
 namespace proveout {
 namespace {
 
-/// The guarantee is 1e-3 mm; single precision achieves this value, so the test requires it.
+/// The guarantee is 1e-3 mm; single precision achieves this smaller error, so the test requires it.
 constexpr double kAllowed = 1e-4;
 constexpr int kSamples = 300;
 

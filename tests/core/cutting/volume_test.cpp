@@ -47,10 +47,10 @@ TEST(Volume, OfABallGroove) {
 }
 
 TEST(Volume, OfASlopingBallGroove) {
-    // The groove is a half circle perpendicular to the path: in plan it is wider by the slope.
+    // The groove is a half circle perpendicular to the path: a vertical section of it is higher by the slope.
     const double slope = 0.05;
     const double width = 10.0;
-    // The tip stays below the top along the whole path; p is the depth of the section below the centre.
+    // The tip stays far below the top along the whole path; `centre` is the depth of the centre of the ball.
     const Motion motion = straightMotion({-20, 40, -5 + 20 * slope - 6}, {120, 40, -5 - 120 * slope - 6});
     const double stretch = std::sqrt(1 + slope * slope);
     double exact = 0;

@@ -168,7 +168,7 @@ TEST(StlAscii, HasADecimalPointInEveryLocale) {
         GTEST_SKIP() << "no locale with a decimal comma is installed; checked in \"C\" only";
 }
 
-/// Reports the speed, which is far higher than would delay an export noticeably.
+/// Reports the speed, which is far too high to delay an export noticeably.
 TEST(StlBinary, WritesMillionsOfTrianglesASecond) {
     const TemporaryFolder folder;
     const auto mesh = randomSoup(1'000'000, 4);

@@ -28,7 +28,7 @@ const PlanePath kAlongX = line({-20, 0}, {0, 0});
 const PlanePath kUp = line({0, 0}, {0, 20});
 const PlanePath kDown = line({0, 0}, {0, -20});
 const PlanePath kSharpBack = line({0, 0}, {-20, -20});
-/// Clockwise around a centre below the start, so it starts downwards.
+/// Clockwise around a centre to the left of the start, so it starts downwards.
 const PlanePath kArcDown{{0, 0}, {-20, -20}, {-20, 0}, -kPi / 2};
 
 } // namespace

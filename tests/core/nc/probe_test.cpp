@@ -55,7 +55,7 @@ TEST(Probe, StopsWhereItTouchesAndCutsNothing) {
     EXPECT_TRUE(program->asksForStock());
     EXPECT_THAT(reported(*program), ElementsAre("2 probe-contact"));
     EXPECT_THAT(program->diagnostics()[0].arguments, ElementsAre("0.000", "0.000", "0.000"));
-    EXPECT_FALSE(program->unverified()); // the program does not continue from there
+    EXPECT_FALSE(program->unverified()); // nothing depends on where it touched
 }
 
 TEST(Probe, LeavesItsResultInTheUnitOfTheProgram) {

@@ -107,7 +107,7 @@ void expectBeside(const Program& program, const std::vector<PlanePath>& paths, D
                 nearest = std::min(nearest, distanceTo(paths[own - 1], point));
             if (own + 1 < paths.size())
                 nearest = std::min(nearest, distanceTo(paths[own + 1], point));
-            // A corner is within its bounding square.
+            // A corner of the offset path is at most √2 radii from the programmed path.
             deviation = std::max({deviation, kRadius - nearest, nearest - kRadius * std::numbers::sqrt2});
             if (!corner)
                 deviation = std::max(deviation, std::abs(distanceToCarrier(paths[own], point) - kRadius));

@@ -157,7 +157,7 @@ TEST(BlockRecords, PlaceOfContactIsThatOfTheTip) {
 }
 
 TEST(BlockRecords, PlaceOfContactOnAnArcAndInAPlunge) {
-    // A half circle of 20 mm around X-20 Y15 reaches the stock at its far side.
+    // A half circle of radius 17 mm around X-20 Y15 reaches the stock at its far side.
     const Executed arc =
         runOf("G21 G90\nT1 M6\nG0 X-20 Y-2 Z5\nG1 Z-2 F500\nG3 X-20 Y32 I0 J17\nG0 Z5\nG0 X20 Y15\n"
               "G1 Z-4\n");

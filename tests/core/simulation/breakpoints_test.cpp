@@ -12,13 +12,13 @@ namespace {
 
 constexpr const char* kText = "T1 M6\n"       // 1
                               "G0 X5 Y5 Z5\n" // 2  block 0
-                              "G1 Z-1 F300\n" // block 1: first contact
+                              "G1 Z-1 F300\n" // 3  block 1: first contact
                               "(a remark)\n"  // 4
                               "G1 X20\n"      // 5  block 2
                               "G1 Z-3 F500\n" // 6  block 3
                               "M0\n"          // 7
                               "G1 X30\n"      // 8  block 4
-                              "G0 X10\n"      // block 5: a rapid through material, along the slot above
+                              "G0 X10\n"      // 9  block 5: a rapid through material, along the slot above
                               "G0 Z5\n"       // 10 block 6
                               "T2 M6\n"       // 11
                               "G0 X20 Y20\n"  // 12 block 7

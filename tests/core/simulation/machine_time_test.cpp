@@ -59,7 +59,7 @@ TEST(MachineTime, KeepsEachAxisWithinItsLimits) {
     machine.rapidZ = 3000;
     machine.accelerationZ = 250;
     EXPECT_NEAR(timesOf("G0 Z-100\n", machine)->parts.rapid, moveSeconds(100, 3000, 250), 1e-9);
-    // Both axes at their own limit: the path is √2 as long and √2 as fast.
+    // Both axes at their own limit: the path is √2 times as long and √2 times as fast.
     const double root = std::sqrt(2.0);
     EXPECT_NEAR(timesOf("G0 X100 Y100\n", machine)->parts.rapid,
                 moveSeconds(100 * root, 6000 * root, 500 * root), 1e-9);

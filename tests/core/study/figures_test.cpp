@@ -119,7 +119,8 @@ TEST(Figure12, FacesGrowWithThePeriodWhereOneDividesTheOther) {
                                     })
             ->count.faces;
     };
-    // Every decimation of the longer period is also one of the shorter, so it never has fewer dirty regions.
+    // Every decimation of the longer period is also one of the shorter: the longer never has fewer dirty
+    // regions.
     EXPECT_LT(facesOf(1), facesOf(5));
     EXPECT_LT(facesOf(5), facesOf(20));
     EXPECT_LT(facesOf(20), facesOf(100));

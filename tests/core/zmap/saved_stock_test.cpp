@@ -131,7 +131,7 @@ TEST(SavedStock, WhatWasCutIsAirUnderTheFlippedStock) {
     EXPECT_NEAR(std::stod(reported.arguments[0]), 300 * 0.25 * 4, 1e-9);
     EXPECT_NEAR(std::stod(reported.arguments[1]), 4, 1e-9);
     EXPECT_NEAR(std::stod(reported.arguments[4]), -6, 1e-9);
-    // Flipped around X the pocket is from Y30-14.5 to Y30-10; then a quarter turn to the left: from X40-… on.
+    // Flipped around X the pocket is from Y15.5 to Y20; after a quarter turn to the left, from X10 to X14.5.
     const double x = std::stod(reported.arguments[2]);
     const double y = std::stod(reported.arguments[3]);
     EXPECT_TRUE(x >= 30 - 20 && x <= 30 - 15) << x;
