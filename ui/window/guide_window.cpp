@@ -60,7 +60,7 @@ public:
 
 protected:
     QVariant loadResource(int type, const QUrl& name) override {
-        const QVariant resource = QTextBrowser::loadResource(type, name);
+        QVariant resource = QTextBrowser::loadResource(type, name);
         QImage picture;
         if (type != QTextDocument::ImageResource || !picture.loadFromData(resource.toByteArray()))
             return resource;
