@@ -20,11 +20,17 @@ QDockWidget* dockNamed(const QMainWindow& window, const char* id) {
     return window.findChild<QDockWidget*>(QLatin1String(id));
 }
 
+/// A floating dock is docked before it is removed: docking it as a tab among docks that have just been added
+/// has crashed in Qt.
+void removeDock(QMainWindow& window, QDockWidget& dock) {
+    dock.setFloating(false);
+    window.removeDockWidget(&dock);
+}
+
 /// Adds docks as tabs behind `first`, which is already in its place.
 void addTabs(QMainWindow& window, const DockTabs& tabs) {
     for (std::size_t i = 1; i < tabs.size(); ++i) {
         window.tabifyDockWidget(dockNamed(window, tabs[i - 1]), dockNamed(window, tabs[i]));
-        dockNamed(window, tabs[i])->setFloating(false);
         dockNamed(window, tabs[i])->show();
     }
 }
@@ -34,7 +40,6 @@ void fillArea(QMainWindow& window, Qt::DockWidgetArea area, const std::vector<Do
     for (const DockTabs& tabs : places) {
         QDockWidget* first = dockNamed(window, tabs.front());
         window.addDockWidget(area, first);
-        first->setFloating(false);
         first->show();
         if (above != nullptr)
             window.splitDockWidget(above, first, Qt::Vertical);
@@ -142,7 +147,7 @@ void arrangeDocks(QMainWindow& window, const DockLayout& layout) {
     for (const std::vector<DockTabs>* area : {&layout.left, &layout.right, &layout.bottom})
         for (const DockTabs& tabs : *area)
             for (const char* id : tabs)
-                window.removeDockWidget(dockNamed(window, id));
+                removeDock(window, *dockNamed(window, id));
     window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);

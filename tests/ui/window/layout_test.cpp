@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The user's arrangement of the window is restored after a restart.
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <random>
 
 #include <QApplication>
 #include <QDir>
@@ -19,6 +21,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "tests/random_seed.h"
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
@@ -97,6 +100,41 @@ class LayoutTest : public QObject {
 
 private slots:
     void init() { m_settings = std::make_unique<OwnSettings>(); }
+
+    void resettingTheLayoutDocksWhateverFloatsOrIsClosed() {
+        Workstation station(true);
+        const QList<QDockWidget*> docks = station.window.findChildren<QDockWidget*>();
+        const std::uint32_t seed = randomSeed();
+        std::mt19937 random(seed);
+        for (int round = 0; round < 40; ++round) {
+            for (QDockWidget* dock : docks) {
+                switch (random() % 4) {
+                case 0:
+                    dock->setFloating(true);
+                    break;
+                case 1:
+                    dock->close();
+                    break;
+                case 2:
+                    dock->raise();
+                    break;
+                default:
+                    break;
+                }
+                if (random() % 3 == 0)
+                    QCoreApplication::processEvents();
+            }
+            station.window.resetLayout();
+            for (const QDockWidget* dock : docks) {
+                const QString what =
+                    QStringLiteral("seed %1, round %2: %3").arg(seed).arg(round).arg(dock->objectName());
+                QVERIFY2(!dock->isFloating(), qPrintable(what));
+                QVERIFY2(!dock->isHidden() ||
+                             !station.window.tabifiedDockWidgets(const_cast<QDockWidget*>(dock)).isEmpty(),
+                         qPrintable(what));
+            }
+        }
+    }
 
     void firstSizeLeavesRoomForTheFrame_data() {
         QTest::addColumn<QSize>("screen");
