@@ -26,8 +26,6 @@ void CompensatedMotion::append() {
         appendUnknown();
     else if (!m_programmed.arc() && glm::distance(m_programmed.start, m_programmed.end) < kNoLength)
         appendAcross();
-    else if (!m_compensation.moves())
-        leave();
     else if (!m_compensation.entered)
         enter();
     else

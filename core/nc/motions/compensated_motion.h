@@ -25,9 +25,9 @@ public:
     virtual void finishHeld() = 0;
 
 protected:
+    /// The first motion that is not beside the path yet; or, after the end of compensation, no longer.
     virtual void enter() = 0;
     virtual void join() = 0;
-    virtual void leave() = 0;
     /// Moves along the normal of the plane, or not at all: the tip stays beside the same point.
     virtual void appendAcross() = 0;
 

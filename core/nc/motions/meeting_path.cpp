@@ -58,10 +58,6 @@ void MeetingPath::enter() {
     m_compensation.entry = true;
 }
 
-void MeetingPath::leave() {
-    appendMotion(m_execution, m_motion);
-}
-
 void MeetingPath::appendAcross() {
     if (!m_compensation.entered)
         return enter();

@@ -18,8 +18,6 @@ public:
 private:
     void enter() override;
     void join() override;
-    /// Leaves compensation with the code that ends it; the motion after it is not compensated.
-    void leave() override;
     void appendAcross() override;
 
     void joinInside(const PlanePath& path);

@@ -39,6 +39,8 @@ void VectorPath::appendAcross() {
 }
 
 void VectorPath::enter() {
+    if (!m_compensation.moves())
+        return leave();
     if (m_programmed.arc())
         return refuse(nc_message::kCompensationStartArc);
     finishHeld();

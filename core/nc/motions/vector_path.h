@@ -21,9 +21,9 @@ public:
 private:
     void enter() override;
     void join() override;
-    void leave() override;
     void appendAcross() override;
 
+    void leave();
     void joinSquare();
     bool finish(const Vec2& end);
     void moveThrough(const CornerPoints& points);
