@@ -26,6 +26,8 @@ constexpr int kContactAxes = 9; ///< the number that LinuxCNC knows
 constexpr int kTowards = 382; ///< G38.2; the codes that do not report an error are one tenth higher
 constexpr int kAway = 384;
 
+constexpr double kRounding = 1e-9; ///< left in a position by adding and subtracting offsets, mm
+
 bool mayProbe(Execution& execution, const Word& word) {
     if (!execution.block.letters().any(LetterSet("XYZ@^"))) {
         execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
@@ -115,7 +117,7 @@ void probe(Execution& execution, const Word& word) {
     const Motion motion = motionToTarget(execution, MotionKind::feed);
     reportMissingFeed(execution, word);
     reportUnknownStart(execution, motion, word);
-    if (motion.known() && motion.start == motion.end) {
+    if (motion.known() && glm::distance(motion.start, motion.end) < kRounding) {
         execution.reporter.report(nc_message::kProbeTooClose, word);
         return;
     }

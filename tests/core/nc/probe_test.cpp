@@ -101,6 +101,14 @@ TEST(Probe, IsRefusedWhereItHasWhatItSeeks) {
     EXPECT_EQ(program->motion(1).end.z, 0); // G38.5
 }
 
+TEST(Probe, NeedsAWay) {
+    EXPECT_THAT(reported(*probed("F100\nG91 G38.2 X0")), ElementsAre("2 probe-too-close", "3 no-motion"));
+    // The offsets of G92 leave a difference of one bit between both ends.
+    const auto program = probed("F100\nG92 X18. Y-9.991945\nG91 G0 X7\nG38.5 X-15. Y13.276\nX0");
+    EXPECT_THAT(reported(*program), ElementsAre("4 probe-free", "5 probe-too-close"));
+    EXPECT_THAT(reported(*probed("F100\nG91 G38.3 X0.0001")), IsEmpty());
+}
+
 TEST(Probe, SkipMotionOfFanucKeepsWhereItStopped) {
     const auto program =
         probed("F100\nG31 Z-5.\nG0 Z9.\nX1.\nG0 Z[#5063+2]\nG31 Z4.\nG0 Z#5063", DialectId::fanuc);
