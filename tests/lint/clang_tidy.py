@@ -52,7 +52,10 @@ def commands():
         arguments = shlex.split(entry["command"].replace("-isystem ", "-isystem"))
         output = arguments.index("-o")
         del arguments[output:output + 2]
-        arguments = [a for a in arguments[1:] if a not in ("-c", entry["file"])]
+        arguments = [a for a in arguments[1:] if a not in ("-c", entry["file"], "-Winvalid-pch")]
+        if "-include" in arguments:  # headers precompiled by another compiler; the sources include what they need
+            precompiled = arguments.index("-include")
+            del arguments[precompiled:precompiled + 2]
         for file in sources_of(entry["file"]):
             source = os.path.relpath(file, ROOT)
             if source.startswith(ROOMS):
