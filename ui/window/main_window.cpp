@@ -137,7 +137,12 @@ void MainWindow::retranslate() {
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     m_state->shown();
-    // Queued, because window managers put the main window in front of floating docks when it is shown.
+    keepFloatingDocksInFront();
+}
+
+/// Queued, because window managers put the main window in front of floating docks when it is shown, and some again
+/// when they activate it.
+void MainWindow::keepFloatingDocksInFront() {
     QMetaObject::invokeMethod(m_docks, &PanelDocks::raiseFloating, Qt::QueuedConnection);
 }
 
@@ -197,6 +202,8 @@ void MainWindow::changeEvent(QEvent* event) {
         retranslate();
     if (event->type() == QEvent::PaletteChange)
         m_menus->followTheme();
+    if (event->type() == QEvent::ActivationChange && isActiveWindow())
+        keepFloatingDocksInFront();
 }
 
 } // namespace proveout

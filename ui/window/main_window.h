@@ -62,6 +62,7 @@ private:
     void followSession();
     void showProgramForSearch();
     void retranslate();
+    void keepFloatingDocksInFront();
     void showDocument();
     void titleWindow();
 

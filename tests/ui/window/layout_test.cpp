@@ -405,6 +405,8 @@ private slots:
         MainWindow window(session, appearance);
         window.show();
         window.raise(); // as window managers do with the last window of a starting application
+        // Until then the order of the windows changes back and forth.
+        QVERIFY(QTest::qWaitForWindowActive(&window));
         const auto* tuning = window.findChild<QDockWidget*>(QStringLiteral("dock-tuning"));
         QVERIFY(tuning->isFloating());
         QVERIFY(window.geometry().contains(tuning->geometry().center()));
