@@ -140,8 +140,8 @@ void MainWindow::showEvent(QShowEvent* event) {
     keepFloatingDocksInFront();
 }
 
-/// Queued, because window managers put the main window in front of floating docks when it is shown, and some again
-/// when they activate it.
+/// Queued, because window managers put the main window in front of floating docks when it is shown, and some
+/// again when they activate it.
 void MainWindow::keepFloatingDocksInFront() {
     QMetaObject::invokeMethod(m_docks, &PanelDocks::raiseFloating, Qt::QueuedConnection);
 }
