@@ -197,7 +197,11 @@ private:
         m_simulation->setCheckpointBudget(0); // the simulation never goes back
         if (!m_options.provenance.empty())
             m_uncut = m_simulation->zmap();
-        m_simulation->seek(blocksToRun(parseStopBlock(m_options.until), *m_program));
+        const std::size_t blocks = blocksToRun(parseStopBlock(m_options.until), *m_program);
+        if (followsSchedule())
+            m_simulation->play(blocks);
+        else
+            m_simulation->seek(blocks);
         m_frame = m_simulation->frame();
         Diagnostics findings = m_frame.findings;
         for (Diagnostic& finding : findings)

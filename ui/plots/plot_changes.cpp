@@ -2,6 +2,7 @@
 #include "ui/plots/plot_changes.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "ui/program/frame_log.h"
@@ -9,17 +10,10 @@
 namespace proveout {
 namespace {
 
-bool same(const BlockStatistics& a, const BlockStatistics& b) {
-    return a.facesShown == b.facesShown && a.facesFull == b.facesFull && a.regionsDirty == b.regionsDirty &&
-           a.regionsDecimated == b.regionsDecimated && a.cutSeconds == b.cutSeconds &&
-           a.decimationSeconds == b.decimationSeconds && a.removedMm3 == b.removedMm3 &&
-           a.maxDepth == b.maxDepth && a.radialEngagement == b.radialEngagement;
-}
-
-bool same(const FrameStatistics& a, const FrameStatistics& b) {
-    return a.firstBlock == b.firstBlock && a.lastBlock == b.lastBlock && a.cutSeconds == b.cutSeconds &&
-           a.decimationSeconds == b.decimationSeconds && a.uploadSeconds == b.uploadSeconds &&
-           a.drawSeconds == b.drawSeconds;
+/// Bit for bit, because a value that was not measured, a NaN, equals itself here.
+template<class Row>
+bool same(const Row& a, const Row& b) {
+    return std::memcmp(&a, &b, sizeof(Row)) == 0;
 }
 
 template<class Rows>

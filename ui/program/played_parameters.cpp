@@ -2,6 +2,7 @@
 #include "ui/program/played_parameters.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/simulation/run/schedule.h"
 
@@ -35,6 +36,8 @@ std::optional<DecimationParameters> PlayedParameters::due(const DecimationParame
 void PlayedParameters::weigh(const Frame& frame, const FrameStatistics& row) {
     if (!m_holdBack || !frame.playing || !(frame.parameters == m_reported) || row.lastBlock != frame.block)
         return;
+    if (std::isnan(row.decimationSeconds))
+        return; // a jump is among its blocks
     FrameCost cost{row.decimationSeconds,
                    row.uploadSeconds,
                    row.drawSeconds,

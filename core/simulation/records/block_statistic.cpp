@@ -19,6 +19,17 @@ BlockValue noted(const ExecutedRun& run, std::size_t block) {
     return run.rows[block].*member;
 }
 
+/// The same for values of the surface after the block, and of a block that was played.
+template<auto member>
+BlockValue ofSurface(const ExecutedRun& run, std::size_t block) {
+    return run.rows[block].surfaceIsMeasured() ? noted<member>(run, block) : BlockValue();
+}
+
+template<auto member>
+BlockValue played(const ExecutedRun& run, std::size_t block) {
+    return run.rows[block].isPlayed() ? noted<member>(run, block) : BlockValue();
+}
+
 BlockValue flag(bool set) {
     return std::uint32_t{set};
 }
@@ -52,12 +63,12 @@ constexpr StatisticPlot kEngagement{"radial-engagement", PROVEOUT_TEXT("Plots", 
                                     PROVEOUT_TEXT("Plots", "Radial engagement"), 3};
 
 constexpr std::array kStatistics{
-    BlockStatistic{"facesShown", noted<&BlockStatistics::facesShown>},
+    BlockStatistic{"facesShown", ofSurface<&BlockStatistics::facesShown>},
     BlockStatistic{"facesFull", noted<&BlockStatistics::facesFull>},
-    BlockStatistic{"regionsDirty", noted<&BlockStatistics::regionsDirty>},
-    BlockStatistic{"regionsDecimated", noted<&BlockStatistics::regionsDecimated>},
-    BlockStatistic{"cutSeconds", noted<&BlockStatistics::cutSeconds>},
-    BlockStatistic{"decimationSeconds", noted<&BlockStatistics::decimationSeconds>},
+    BlockStatistic{"regionsDirty", ofSurface<&BlockStatistics::regionsDirty>},
+    BlockStatistic{"regionsDecimated", played<&BlockStatistics::regionsDecimated>},
+    BlockStatistic{"cutSeconds", played<&BlockStatistics::cutSeconds>},
+    BlockStatistic{"decimationSeconds", played<&BlockStatistics::decimationSeconds>},
     BlockStatistic{"removedMm3", noted<&BlockStatistics::removedMm3>, &kVolume},
     BlockStatistic{"maxDepthMm", noted<&BlockStatistics::maxDepth>, &kDepth},
     BlockStatistic{"radialEngagementMm", noted<&BlockStatistics::radialEngagement>, &kEngagement},

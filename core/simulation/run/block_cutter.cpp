@@ -2,6 +2,7 @@
 #include "core/simulation/run/block_cutter.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/cutting/cut/overhang.h"
@@ -10,14 +11,6 @@
 namespace proveout {
 
 namespace {
-
-void judge(const CutRecord& record, const Motion& motion, const Cutter& cutter, bool unconfirmed,
-           std::size_t block, FindingLog& findings) {
-    if (motion.kind == MotionKind::rapid && record.maxDepth > kNothingRemoved)
-        findings.add(block, FindingKind::rapidCuts, record.maxDepth, unconfirmed);
-    if (cutter.fluteLength() > 0 && record.maxDepth > cutter.fluteLength() + kNothingRemoved)
-        findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth, unconfirmed);
-}
 
 void judge(const Overhang& overhang, bool unconfirmed, std::size_t block, FindingLog& findings) {
     if (overhang.neckDepth > kNothingRemoved)
@@ -87,6 +80,17 @@ void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& mot
         findings.add(block, FindingKind::rapidUnchecked, below);
 }
 
+/// The findings of a motion that has been cut, in the map of that moment.
+void judge(const ZMap& zmap, const CutRecord& record, const Motion& motion, const Cutter& cutter,
+           bool unconfirmed, std::size_t block, FindingLog& findings) {
+    if (motion.kind == MotionKind::rapid && !motion.known())
+        judgeUnknownRapid(zmap, cutter, motion, block, findings);
+    if (motion.kind == MotionKind::rapid && record.maxDepth > kNothingRemoved)
+        findings.add(block, FindingKind::rapidCuts, record.maxDepth, unconfirmed);
+    if (cutter.fluteLength() > 0 && record.maxDepth > cutter.fluteLength() + kNothingRemoved)
+        findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth, unconfirmed);
+}
+
 /// The cutter of a motion; null if it is unknown, or only probes.
 const Cutter* cutterOf(const Motion& motion, const Setup& setup, const ToolChoice& tools) {
     return motion.probing ? nullptr : setup.tools.find(tools.tool(motion.tool));
@@ -142,17 +146,111 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
                 findings->truncate(block);
             return std::nullopt;
         }
-        if (findings != nullptr && motion.kind == MotionKind::rapid && !motion.known())
-            judgeUnknownRapid(zmap, *cutter, motion, block, *findings);
         if (findings != nullptr) {
             unconfirmed = isUnconfirmed(motion, setup, tools);
-            judge(*record, motion, *cutter, unconfirmed, block, *findings);
+            judge(zmap, *record, motion, *cutter, unconfirmed, block, *findings);
         }
         sum.add(*record);
     }
     if (findings != nullptr)
         judge(overhang, unconfirmed, block, *findings);
     return sum;
+}
+
+namespace {
+
+/// Cuts blocks one after the other. Motions wait until one comes whose findings need the map of its moment;
+/// those that wait are then cut at once.
+class BlocksInTurn {
+public:
+    BlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
+                 const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop)
+        : m_zmap(zmap), m_program(program), m_setup(setup), m_tools(tools), m_findings(findings),
+          m_stop(stop), m_first(first), m_last(last), m_sums(last - first) {}
+
+    /// False if it was stopped: the map may have been cut then.
+    bool cutAll() {
+        for (std::size_t block = m_first; block < m_last; ++block) {
+            if (needsItsMoment(block) ? !cutWaiting() || !cutAlone(block) : m_stop.stop_requested())
+                return false;
+        }
+        return cutWaiting();
+    }
+
+    [[nodiscard]] std::vector<CutRecord> takeSums() { return std::move(m_sums); }
+
+private:
+    /// Adds the motions of a block to those that wait, unless one of them must be judged on the map of its
+    /// moment: above a head material may remain, and a rapid from an unknown position may end in the stock.
+    bool needsItsMoment(std::size_t block) {
+        const std::size_t waiting = m_waiting.size();
+        const auto motions = m_program.blockMotions(block);
+        for (std::size_t index = motions.first; index < motions.last; ++index) {
+            const Motion motion = m_program.motion(index);
+            const Cutter* cutter = cutterOf(motion, m_setup, m_tools);
+            if (cutter == nullptr)
+                continue;
+            if (m_findings != nullptr &&
+                (cutter->head() || (motion.kind == MotionKind::rapid && !motion.known()))) {
+                m_waiting.resize(waiting);
+                return true;
+            }
+            m_waiting.push_back({cutter, motion, static_cast<std::uint32_t>(block + 1)});
+        }
+        return false;
+    }
+
+    bool cutWaiting() {
+        const auto records = cut(m_zmap, m_waiting, m_stop);
+        if (!records)
+            return false;
+        for (std::size_t k = 0; k < m_waiting.size(); ++k) {
+            const auto& [cutter, motion, mark] = m_waiting[k];
+            const std::size_t block = mark - 1;
+            if (m_findings != nullptr)
+                judge(m_zmap, (*records)[k], motion, *cutter, isUnconfirmed(motion, m_setup, m_tools), block,
+                      *m_findings);
+            m_sums[block - m_first].add((*records)[k]);
+        }
+        m_waiting.clear();
+        return true;
+    }
+
+    bool cutAlone(std::size_t block) {
+        const auto record = cutBlock(m_zmap, m_program, block, m_setup, m_tools, m_findings, m_stop);
+        if (record)
+            m_sums[block - m_first] = *record;
+        return record.has_value();
+    }
+
+    ZMap& m_zmap;
+    const Program& m_program;
+    const Setup& m_setup;
+    const ToolChoice& m_tools;
+    FindingLog* m_findings;
+    const std::stop_token& m_stop;
+    std::size_t m_first;
+    std::size_t m_last;
+    std::vector<CutterMotion> m_waiting; ///< marked by 1 + their block
+    std::vector<CutRecord> m_sums;       ///< by block
+};
+
+} // namespace
+
+std::optional<std::vector<CutRecord>> cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first,
+                                                      std::size_t last, const Setup& setup,
+                                                      const ToolChoice& tools, FindingLog* findings,
+                                                      const std::stop_token& stop) {
+    std::optional<ZMapSnapshot> before;
+    if (stop.stop_possible())
+        before = zmap.snapshot();
+    BlocksInTurn blocks(zmap, program, first, last, setup, tools, findings, stop);
+    if (blocks.cutAll())
+        return blocks.takeSums();
+    zmap = ZMap(*before);
+    if (findings != nullptr)
+        findings->truncate(first);
+    return std::nullopt;
 }
 
 std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t first, std::size_t last,

@@ -23,6 +23,13 @@ namespace proveout {
                                                 const Setup& setup, const ToolChoice& tools,
                                                 FindingLog* findings, const std::stop_token& stop);
 
+/// Cuts the blocks [first, last) with the same heights, records and findings as cutBlock() for one after the
+/// other, to the last bit, but many of their motions at once. One record per block. If it is stopped, the map
+/// is as before, findings do not include these blocks, and there are no records.
+[[nodiscard]] std::optional<std::vector<CutRecord>>
+cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
+                const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop);
+
 /// All motions of the blocks [first, last), each with its cutter, or null if it cuts nothing, and marked by 1
 /// + its block. The cutters are those of `setup`.
 [[nodiscard]] std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t first,

@@ -61,6 +61,11 @@ Checkpoints::Tiles Checkpoints::keep(const ZMapSnapshot& zmap, std::size_t index
     return tiles;
 }
 
+bool Checkpoints::isDue(std::size_t block, double cutSeconds, std::size_t farBlocks) const {
+    return wanted() && (cutSeconds - cutSecondsBefore(block) > kCheckpointSeconds ||
+                        block - blockBefore(block) >= farBlocks);
+}
+
 void Checkpoints::truncate(std::size_t block) {
     while (m_kept.size() > 1 && m_kept.back().block > block) {
         m_bytes -= m_kept.back().bytes;

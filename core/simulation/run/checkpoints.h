@@ -11,6 +11,10 @@
 
 namespace proveout {
 
+/// Cutting time between two checkpoints. A step backward replays at most this much, and the decimation
+/// period.
+inline constexpr double kCheckpointSeconds = 0.01;
+
 /// A snapshot from which the simulation can continue.
 struct Checkpoint {
     std::size_t block = 0; ///< blocks executed
@@ -29,6 +33,8 @@ public:
     void restart(const Checkpoint& first);
     /// Adds a checkpoint, unless there is one for its block already.
     void add(const Checkpoint& checkpoint);
+    /// Whether the last checkpoint before a block is long ago, in cutting time or in blocks.
+    [[nodiscard]] bool isDue(std::size_t block, double cutSeconds, std::size_t farBlocks) const;
     /// Discards checkpoints after `block`.
     void truncate(std::size_t block);
     void setBudget(std::size_t bytes);

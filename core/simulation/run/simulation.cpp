@@ -86,6 +86,10 @@ void Simulation::seek(std::size_t block, const WorkContext& context) {
     m_state->seek(std::min(block, blockCount()), context);
 }
 
+void Simulation::play(std::size_t block, const WorkContext& context) {
+    m_state->play(std::min(block, blockCount()), context);
+}
+
 void Simulation::noteParameters(const DecimationParameters& parameters) {
     State& state = *m_state;
     if (!checkRanges(parameters) || parameters == state.parameters)

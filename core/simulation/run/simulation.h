@@ -42,11 +42,13 @@ public:
     /// Executes the next block; nothing at the end. A stopped context may leave the surface unsettled, or do
     /// nothing.
     void step(const WorkContext& context = {});
-    /// Moves to the state after block `block` (clamped), starting from a checkpoint if that is nearer. Blocks
-    /// that were never executed run through the whole schedule, so that their statistics are correct. A
+    /// Moves to the state after block `block` (clamped), starting from a checkpoint if that is nearer. Only
+    /// the surface of `block` is made: rows of blocks that were never executed have no times and no faces. A
     /// stopped context ends at another valid block, or leaves the surface unsettled: regions are drawn from
     /// the z-map until the next call, at the latest `seek(position())`, decimates them.
     void seek(std::size_t block, const WorkContext& context = {});
+    /// The same, after step() of each block before it that was not played yet: all rows are complete.
+    void play(std::size_t block, const WorkContext& context = {});
     /// Notes other parameters, without the work for them: `seek(position())` brings the surface into the
     /// state that the schedule requires with them. Existing statistics stay, except for the row of this
     /// block. Parameters out of range are ignored.

@@ -8,6 +8,7 @@
 #include "core/base/stop_watch.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/changed_regions.h"
+#include "core/simulation/run/portions.h"
 #include "core/simulation/setup/automatic_grid.h"
 #include "core/simulation/setup/stock_position.h"
 
@@ -15,15 +16,15 @@ namespace proveout {
 
 namespace {
 
-/// Cutting time between two checkpoints. A step backward replays at most this much, and the decimation
-/// period.
-constexpr double kCheckpointSeconds = 0.01;
-/// Even cheap blocks add up when all of them are executed: checkpoints are at most this fraction of the
-/// program apart, so that an edit cuts little more than what follows it.
-constexpr std::size_t kCheckpointsOfProgram = 64;
-constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which is cut at once anyway
-/// Blocks that are cut at once when they are not shown one by one.
-constexpr std::size_t kFirstPortion = 16;
+/// What is known of a block that was cut, without the times and the surface.
+BlockStatistics rowOf(const CutRecord& record, const Surface& surface) {
+    BlockStatistics row;
+    row.facesFull = static_cast<std::uint32_t>(surface.facesFull());
+    row.removedMm3 = record.removedMm3;
+    row.maxDepth = static_cast<float>(record.maxDepth);
+    row.radialEngagement = static_cast<float>(record.radialEngagement());
+    return row;
+}
 
 } // namespace
 
@@ -42,16 +43,9 @@ std::optional<CutRecord> Simulation::State::cutNext(StockRun& run, FindingLog* l
                                                     const WorkContext& context) {
     const StopWatch watch;
     auto record = cutBlock(run.zmap, *program, run.block, *setup, tools, log, context.stop);
-    const double seconds = watch.seconds();
-    effort.cutSeconds += seconds;
-    if (!record)
-        return std::nullopt;
-    atRest.outdate();
-    ++effort.blocksCut;
-    ++run.block;
-    run.removedMm3 += record->removedMm3;
-    run.cutSeconds += seconds;
-    rememberMoment(run);
+    if (record)
+        run.removedMm3 += record->removedMm3;
+    countCut(run, record ? 1 : 0, watch.seconds());
     return record;
 }
 
@@ -59,26 +53,33 @@ bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkCont
     const StopWatch watch;
     const bool done =
         cutBlocks(run.zmap, *program, run.block, run.block + count, *setup, tools, context.stop);
-    const double seconds = watch.seconds();
-    effort.cutSeconds += seconds;
-    if (!done)
-        return false;
-    atRest.outdate();
-    effort.blocksCut += count;
-    for (const std::size_t end = run.block + count; run.block < end; ++run.block)
-        run.removedMm3 += rows[run.block].removedMm3;
-    run.cutSeconds += seconds;
-    rememberMoment(run);
-    return true;
+    for (std::size_t k = 0; done && k < count; ++k)
+        run.removedMm3 += rows[run.block + k].removedMm3;
+    countCut(run, done ? count : 0, watch.seconds());
+    return done;
 }
 
-void Simulation::State::rememberMoment(const StockRun& run) {
-    if (!checkpoints.wanted())
-        return;
-    const std::size_t farBlocks =
-        std::max(program->blockCount() / kCheckpointsOfProgram, kFewestBlocksBetween);
-    if (run.cutSeconds - checkpoints.cutSecondsBefore(run.block) > kCheckpointSeconds ||
-        run.block - checkpoints.blockBefore(run.block) >= farBlocks)
+bool Simulation::State::cutNew(StockRun& run, std::size_t count, const WorkContext& context) {
+    const StopWatch watch;
+    const auto records = cutBlocksInTurn(run.zmap, *program, run.block, run.block + count, *setup, tools,
+                                         &findings, context.stop);
+    for (std::size_t k = 0; records && k < count; ++k) {
+        rows.push_back(rowOf((*records)[k], surface));
+        run.removedMm3 += (*records)[k].removedMm3;
+    }
+    countCut(run, records ? count : 0, watch.seconds());
+    return records.has_value();
+}
+
+void Simulation::State::countCut(StockRun& run, std::size_t blocks, double seconds) {
+    effort.cutSeconds += seconds;
+    if (blocks == 0)
+        return; // stopped
+    effort.blocksCut += blocks;
+    run.block += blocks;
+    run.cutSeconds += seconds;
+    atRest.outdate();
+    if (checkpoints.isDue(run.block, run.cutSeconds, checkpointBlocks(*program)))
         checkpoints.add(run.moment());
 }
 
@@ -99,7 +100,7 @@ void Simulation::State::touchChanged(const IndexRect& changed) {
 
 void Simulation::State::step(const WorkContext& context) {
     if (behind)
-        jump(stock.block, context);
+        seek(stock.block, context);
     if (behind)
         return;
     const std::size_t block = stock.block;
@@ -110,13 +111,10 @@ void Simulation::State::step(const WorkContext& context) {
         return;
     touchChanged(record->changed);
 
-    BlockStatistics row;
-    row.facesFull = static_cast<std::uint32_t>(surface.facesFull());
-    row.cutSeconds = static_cast<float>(stock.cutSeconds - secondsBefore);
-    row.removedMm3 = record->removedMm3;
-    row.maxDepth = static_cast<float>(record->maxDepth);
-    row.radialEngagement = static_cast<float>(record->radialEngagement());
+    BlockStatistics row = rowOf(*record, surface);
     const BlockStatistics old = first ? row : rows[block];
+    row.cutSeconds = static_cast<float>(stock.cutSeconds - secondsBefore);
+    row.decimationSeconds = 0;
     if (schedule.isMoment(stock.block)) {
         base = stock.moment();
         row.regionsDecimated = static_cast<std::uint32_t>(surface.dirtyRegions());
@@ -128,7 +126,7 @@ void Simulation::State::step(const WorkContext& context) {
     else
         rows.edit(block) = row;
     if (behind)
-        unfinished = UnfinishedRow{first, old};
+        rowBefore = old;
     noteSurface();
 }
 
@@ -151,7 +149,7 @@ std::vector<std::size_t> Simulation::State::dirtyRegions(std::span<const std::si
 }
 
 void Simulation::State::noteSurface() {
-    if (stock.block == 0 || stock.block > rows.size())
+    if (behind || stock.block == 0 || stock.block > rows.size())
         return;
     BlockStatistics& row = rows.edit(stock.block - 1);
     row.facesShown = static_cast<std::uint32_t>(surface.faces());
@@ -168,19 +166,14 @@ void Simulation::State::settle(const WorkContext& context) {
         behind = surface.dirtyRegions() > dirty.size();
     }
     if (!behind)
-        unfinished.reset();
+        rowBefore.reset();
     noteSurface();
 }
 
 void Simulation::State::abandonUnfinished() {
-    const std::size_t block = stock.block;
-    if (unfinished && unfinished->first) {
-        rows.truncate(block - 1);
-        findings.truncate(block - 1);
-    } else if (unfinished && block <= rows.size()) {
-        rows.edit(block - 1) = unfinished->old;
-    }
-    unfinished.reset();
+    if (rowBefore)
+        rows.edit(stock.block - 1) = *rowBefore;
+    rowBefore.reset();
 }
 
 // --- any block
@@ -194,59 +187,86 @@ Checkpoint Simulation::State::nearest(std::size_t block) const {
     return checkpoints.before(block);
 }
 
-bool Simulation::State::replay(StockRun& run, std::size_t block, const WorkContext& context) {
+bool Simulation::State::cutTo(StockRun& run, std::size_t block, const WorkContext& context) {
+    Portions portions(*program, checkpoints.wanted());
     const std::size_t from = run.block;
-    std::size_t portion = kFirstPortion;
     while (run.block < block && !context.stopped()) {
-        const std::size_t count = std::min(portion, block - run.block);
+        const bool isNew = run.block >= rows.size();
+        const std::size_t count = portions.from(run.block, isNew ? block : std::min(block, rows.size()));
         const StopWatch watch;
-        if (!cutMany(run, count, context))
+        if (!(isNew ? cutNew(run, count, context) : cutMany(run, count, context)))
             break;
-        // Portions take about as long as the time between two checkpoints: that many blocks share the
-        // start-up work.
-        if (watch.seconds() < kCheckpointSeconds / 2)
-            portion *= 2;
-        else if (watch.seconds() > kCheckpointSeconds)
-            portion = std::max(portion / 2, kFirstPortion);
+        portions.took(watch.seconds());
         context.report(static_cast<double>(run.block - from) / static_cast<double>(block - from));
     }
     return run.block == block;
 }
 
-void Simulation::State::jump(std::size_t block, const WorkContext& context) {
+void Simulation::State::seek(std::size_t block, const WorkContext& context) {
     if (stock.block == rows.size() && checkpoints.wanted())
         checkpoints.add(stock.moment()); // the return to the farthest block
+    const std::size_t known = rows.size();
+    if (block == known + 1 && block == stock.block + 1)
+        return step(context); // one block costs the same alone, and is measured
     StockRun run;
     std::optional<Checkpoint> newBase;
     const auto moment = schedule.lastMoment(block);
     if (moment && *moment != base.block) {
         run.continueFrom(nearest(*moment));
-        if (!replay(run, *moment, context.part(0, 0.4)))
-            return;
+        if (!cutTo(run, *moment, context.part(0, 0.6)))
+            return keepNew(std::move(run), known);
         newBase = run.moment();
     }
     if (block != stock.block) {
         const Checkpoint start = nearest(block);
         if (!newBase || start.block > run.block)
             run.continueFrom(start);
-        if (!replay(run, block, context.part(0.4, 0.6)))
-            return;
-        abandonUnfinished();
-        atRest.outdate();
-        stock = std::move(run);
+        const bool reached = cutTo(run, block, context.part(newBase ? 0.6 : 0, 0.65));
+        if (!reached)
+            return keepNew(std::move(run), known);
+        moveTo(std::move(run));
     }
     if (newBase) {
         for (const auto region : differingRegions(base.zmap, newBase->zmap, surface.grid()))
             surface.touchRegion(region);
         base = std::move(*newBase);
     }
-    settle(context.part(0.6, 1));
+    settle(context.part(0.65, 1));
+}
+
+void Simulation::State::moveTo(StockRun&& run) {
+    abandonUnfinished();
+    atRest.outdate();
+    stock = std::move(run);
+}
+
+void Simulation::State::keepNew(StockRun&& run, std::size_t known) {
+    if (run.block <= known)
+        return;
+    moveTo(std::move(run));
+    for (const auto region : differingRegions(base.zmap, stock.zmap.snapshot(), surface.grid()))
+        surface.touchRegion(region);
+    behind = schedule.decimates();
+}
+
+void Simulation::State::play(std::size_t block, const WorkContext& context) {
+    for (std::size_t next = 0; next < block && !context.stopped(); ++next) {
+        if (next < rows.size() && rows[next].isPlayed())
+            continue;
+        if (stock.block != next)
+            seek(next, context.quiet());
+        if (stock.block == next)
+            step(context);
+        context.report(static_cast<double>(next) / static_cast<double>(block));
+    }
+    if (!context.stopped())
+        seek(block, context.quiet());
 }
 
 void Simulation::State::fallBack(std::size_t kept) {
     const Checkpoint saved = nearest(kept);
     const ZMapSnapshot shown = base.zmap;
-    unfinished.reset();
+    rowBefore.reset();
     atRest.outdate();
     stock.continueFrom(saved);
     if (base.block > kept)
@@ -255,22 +275,6 @@ void Simulation::State::fallBack(std::size_t kept) {
         for (const auto region : differingRegions(shown, other, surface.grid()))
             surface.touchRegion(region);
     behind = true;
-}
-
-void Simulation::State::seek(std::size_t block, const WorkContext& context) {
-    if (block <= rows.size()) {
-        jump(block, context);
-        return;
-    }
-    if (behind || stock.block != rows.size())
-        jump(rows.size(), context.quiet());
-    const std::size_t from = stock.block;
-    if (from != rows.size())
-        return; // stopped before the end
-    while (stock.block < block && !context.stopped()) {
-        step(context);
-        context.report(static_cast<double>(stock.block - from) / static_cast<double>(block - from));
-    }
 }
 
 void Simulation::State::useParameters(const DecimationParameters& wanted) {

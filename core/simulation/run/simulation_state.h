@@ -50,11 +50,8 @@ struct Simulation::State {
     /// Some regions that the schedule would have decimated are still drawn from the z-map, because the work
     /// was stopped.
     bool behind = false;
-    struct UnfinishedRow {
-        bool first;          ///< the block had never been executed before
-        BlockStatistics old; ///< otherwise, the previous row of the block
-    };
-    std::optional<UnfinishedRow> unfinished;
+    /// If the decimation of the present block was stopped: the row to restore if the block is left like this.
+    std::optional<BlockStatistics> rowBefore;
 
     SurfaceAtRest atRest;
 
@@ -73,8 +70,11 @@ struct Simulation::State {
     /// Cuts the next `count` blocks at once, which have been executed before, so that everything except the
     /// heights is known; false if it was stopped: none of them counts.
     bool cutMany(StockRun& run, std::size_t count, const WorkContext& context);
-    /// Adds a checkpoint if the last one is long ago, in cutting time or in blocks.
-    void rememberMoment(const StockRun& run);
+    /// Cuts the next `count` blocks at once, which have never been executed; their rows have no times and no
+    /// faces. False if it was stopped: none of them counts.
+    bool cutNew(StockRun& run, std::size_t count, const WorkContext& context);
+    /// Counts blocks that were cut into `run`, and the time for them; adds a checkpoint if one is due.
+    void countCut(StockRun& run, std::size_t blocks, double seconds);
     /// The box of a slanted motion holds regions that it never touched: only changed heights count.
     void touchChanged(const IndexRect& changed);
     void step(const WorkContext& context);
@@ -98,14 +98,19 @@ struct Simulation::State {
 
     /// The nearest known checkpoint at or before `block`.
     [[nodiscard]] Checkpoint nearest(std::size_t block) const;
-    /// Replays up to `block`; false if it was stopped.
-    bool replay(StockRun& run, std::size_t block, const WorkContext& context);
-    /// Moves to a block that has been executed before, and settles the surface there.
-    void jump(std::size_t block, const WorkContext& context);
+    /// Cuts up to `block`, in portions; false if it was stopped, at an earlier block.
+    bool cutTo(StockRun& run, std::size_t block, const WorkContext& context);
+    /// Moves to any block, and settles the surface there.
+    void seek(std::size_t block, const WorkContext& context);
+    void moveTo(StockRun&& run);
+    /// After a stop: a replay has no result, but what was cut beyond the `known` blocks is kept, with a
+    /// surface that is drawn from the z-map where it differs.
+    void keepNew(StockRun&& run, std::size_t known);
     /// Moves to the nearest known checkpoint at or before `kept`, without any work; everything after it is
     /// discarded.
     void fallBack(std::size_t kept);
-    void seek(std::size_t block, const WorkContext& context);
+    /// Executes every block before `block` that was not played, each with its decimation, and moves there.
+    void play(std::size_t block, const WorkContext& context);
     void useParameters(const DecimationParameters& wanted);
 };
 

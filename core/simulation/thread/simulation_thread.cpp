@@ -49,6 +49,7 @@ struct SimulationThread::State {
     // The members below are used by the simulation thread only.
     std::unique_ptr<Simulation> simulation;
     std::optional<std::size_t> goal; ///< a requested block that has not been reached yet
+    bool measures = false;           ///< the way to it is measured
     std::uint64_t seekStarted = 0;   ///< ticket of the newest seek or step
     std::uint64_t seekOver = 0;
     PlaybackClock clock;
@@ -189,6 +190,7 @@ struct SimulationThread::State {
     void carryOut(SeekCommand&& seek) {
         stoppedBy.reset();
         seekStarted = seek.ticket;
+        measures = seek.measured;
         goal = std::min(seek.block, simulation->blockCount());
     }
 
@@ -196,6 +198,7 @@ struct SimulationThread::State {
         stoppedBy.reset();
         playing = false;
         seekStarted = step.ticket;
+        measures = false;
         const auto from = static_cast<std::ptrdiff_t>(goal.value_or(simulation->position()));
         const auto last = static_cast<std::ptrdiff_t>(simulation->blockCount());
         goal = static_cast<std::size_t>(std::clamp(step.blocks, -from, last - from) +
@@ -212,7 +215,10 @@ struct SimulationThread::State {
                                       [&reporter](double done) { reporter.report(done); }};
             const std::size_t wanted =
                 std::min(goal.value_or(simulation->position()), simulation->blockCount());
-            simulation->seek(wanted, context);
+            if (measures && goal)
+                simulation->play(wanted, context);
+            else
+                simulation->seek(wanted, context);
             cut = context.stopped();
             if (simulation->position() == wanted)
                 goal.reset();

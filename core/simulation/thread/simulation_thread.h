@@ -47,6 +47,7 @@ struct PauseCommand {};
 struct SeekCommand {
     std::size_t block = 0;
     std::uint64_t ticket = 0; ///< rising; reported back in Frame::seekOver
+    bool measured = false;    ///< Simulation::play(): measures every block on the way
 };
 /// Relative to the current position, or to the target of a seek in progress when the command is executed, so
 /// that quick key presses add up.

@@ -106,7 +106,7 @@ TEST(Stop, AnywhereIsCompletedLater) {
     simulation->seek(0);
     while (!simulation->atEnd())
         simulation->step();
-    fresh->seek(program->blockCount());
+    fresh->play(program->blockCount());
     const auto rows = simulation->frame().statistics;
     const auto wanted = fresh->frame().statistics;
     ASSERT_EQ(rows.size(), wanted.size());
@@ -127,11 +127,14 @@ TEST(Stop, RowsOfAnInterruptedRunAreTrue) {
     const auto simulation = startedSimulation(program, smallSetup(), parameters);
     for (int round = 0; round < 40; ++round) {
         StopAfter stop(random() % 60);
-        simulation->seek(program->blockCount(), stop.context());
+        if (random() % 4 == 0)
+            simulation->seek(program->blockCount(), stop.context());
+        else
+            simulation->play(program->blockCount(), stop.context());
         if (random() % 4 == 0) // leaves a block whose decimation may not have finished
             simulation->seek(random() % (simulation->position() + 1));
     }
-    simulation->seek(program->blockCount());
+    simulation->play(program->blockCount());
     const auto rows = simulation->frame().statistics;
     ASSERT_EQ(rows.size(), wanted.size());
     for (std::size_t row = 0; row < rows.size(); ++row) {

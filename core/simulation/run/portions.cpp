@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/run/portions.h"
+
+#include <algorithm>
+
+#include "core/simulation/run/checkpoints.h"
+
+namespace proveout {
+
+namespace {
+
+/// Checkpoints are at most this fraction of the program apart.
+constexpr std::size_t kCheckpointsOfProgram = 64;
+constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which is cut at once anyway
+/// Time of a portion without checkpoints: a stop may wait for it.
+constexpr double kLongestSeconds = 0.08;
+constexpr std::size_t kFirstPortion = 16;
+/// A block with more motions, e.g. a drilling cycle, is cut alone: a stop must not lose the blocks before it.
+constexpr std::size_t kMotionsOfLongBlock = 1000;
+
+} // namespace
+
+std::size_t checkpointBlocks(const Program& program) {
+    return std::max(program.blockCount() / kCheckpointsOfProgram, kFewestBlocksBetween);
+}
+
+Portions::Portions(const Program& program, bool remembers)
+    : m_program(program), m_longest(remembers ? kCheckpointSeconds : kLongestSeconds),
+      m_largest(std::max(remembers ? checkpointBlocks(program) : program.blockCount(), kFirstPortion)),
+      m_blocks(kFirstPortion) {}
+
+std::size_t Portions::from(std::size_t first, std::size_t end) const {
+    const std::size_t most = std::min(m_blocks, end - first);
+    for (std::size_t count = 0; count < most; ++count) {
+        const auto motions = m_program.blockMotions(first + count);
+        if (motions.last - motions.first > kMotionsOfLongBlock)
+            return std::max<std::size_t>(count, 1);
+    }
+    return most;
+}
+
+void Portions::took(double seconds) {
+    if (seconds < m_longest / 2)
+        m_blocks = std::min(2 * m_blocks, m_largest);
+    else if (seconds > m_longest)
+        m_blocks = std::max(m_blocks / 2, kFirstPortion);
+}
+
+} // namespace proveout
