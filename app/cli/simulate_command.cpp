@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fmt/core.h>
 #include <memory>
 #include <optional>
@@ -49,12 +50,16 @@ struct SimulateOptions {
     bool json = false;
 };
 
+/// Wall time of the phases, one after the other: together they are the total.
 struct Seconds {
+    double prepare = 0; ///< options, job, tools, stock file, checks
     double interpret = 0;
     double allocate = 0;
     double cut = 0;
     double decimate = 0;
+    double evaluate = 0; ///< findings, totals, machine times, the error of the surface
     double write = 0;
+    double box = 0;
     double total = 0;
 };
 
@@ -69,6 +74,7 @@ public:
         decimate();
         write();
         m_options.box.run(*m_program, m_job.setup, m_frame.block, m_report);
+        m_seconds.box = lap();
         m_seconds.total = m_watch.seconds();
         if (m_options.json)
             printJson(object());
@@ -91,6 +97,12 @@ private:
         return m_report.exitCode();
     }
 
+    /// The seconds since the previous lap.
+    double lap() {
+        const double now = m_watch.seconds();
+        return now - std::exchange(m_lapped, now);
+    }
+
     bool prepare() {
         auto job = m_options.setup.job();
         if (!job)
@@ -107,7 +119,9 @@ private:
         if ((!automatic && !checkGrid()) || !interpretProgram())
             return false;
         SetupOptions::settleGrid(m_job, *m_program, mapOutputs());
-        return (!automatic || checkGrid()) && fine(checkOutputs(inputs(), sizedOutputs()));
+        const bool ready = (!automatic || checkGrid()) && fine(checkOutputs(inputs(), sizedOutputs()));
+        m_seconds.prepare += lap();
+        return ready;
     }
 
     [[nodiscard]] std::vector<std::string> inputs() const {
@@ -165,12 +179,12 @@ private:
     }
 
     bool interpretProgram() {
-        const StopWatch watch;
+        m_seconds.prepare = lap();
         auto program = loadProgram(m_job, m_report);
+        m_seconds.interpret = lap();
         if (!program)
             return fine(std::move(program));
         m_program = std::move(*program);
-        m_seconds.interpret = watch.seconds();
         return true;
     }
 
@@ -209,27 +223,29 @@ private:
                 finding.file = m_job.program.string();
         m_report.add(std::move(findings));
         m_times = machineTimes(m_program, m_job.machine.value_or(Machine()));
+        if (m_options.json)
+            m_totals = totalsOf(*m_program, m_frame.statistics, m_frame.block);
+        const Simulation::Effort effort = m_simulation->effort();
+        m_seconds.allocate = effort.allocateSeconds;
+        m_seconds.cut = effort.cutSeconds;
+        m_seconds.decimate = effort.decimationSeconds;
+        m_seconds.evaluate = lap() - m_seconds.allocate - m_seconds.cut - m_seconds.decimate;
         return true;
     }
 
     void decimate() {
-        m_seconds.allocate = m_simulation->effort().allocateSeconds;
-        m_seconds.cut = m_simulation->effort().cutSeconds;
-        m_seconds.decimate = m_simulation->effort().decimationSeconds;
         const bool decimated = m_options.mesh == "decimated";
         if (!m_options.json && !m_options.meshes.wanted())
             return;
-        const StopWatch watch;
         m_surface =
             decimated ? m_simulation->decimatedNow()
                       : Surface(m_frame.zmap.grid().nx, m_frame.zmap.grid().ny, m_job.parameters).snapshot();
-        if (decimated)
-            m_seconds.decimate += watch.seconds();
+        m_seconds.decimate += lap();
         m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters);
+        m_seconds.evaluate += lap();
     }
 
     void write() {
-        const StopWatch watch;
         if (!m_options.zmap.empty())
             fine(writeZMap(m_options.zmap, m_frame.zmap));
         if (!m_options.provenance.empty())
@@ -242,7 +258,7 @@ private:
             fine(writeStock(m_options.stock, m_frame.zmap, m_job.setup.spacing, provenance()));
         if (m_options.meshes.wanted())
             m_written = m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters, m_report);
-        m_seconds.write = watch.seconds();
+        m_seconds.write = lap();
     }
 
     [[nodiscard]] nlohmann::ordered_json object() const {
@@ -275,12 +291,17 @@ private:
             {"method", kMethodChoices[static_cast<std::size_t>(m_job.parameters.method)].key},
             {"mesh", m_options.mesh},
             {"seconds",
-             {{"interpret", m_seconds.interpret},
+             {{"prepare", m_seconds.prepare},
+              {"interpret", m_seconds.interpret},
               {"allocate", m_seconds.allocate},
               {"cut", m_seconds.cut},
               {"decimate", m_seconds.decimate},
+              {"evaluate", m_seconds.evaluate},
               {"write", m_seconds.write},
+              {"box", m_seconds.box},
               {"total", m_seconds.total}}},
+            {"threads", ThreadLimit::threads()},
+            {"cpuSeconds", static_cast<double>(std::clock()) / CLOCKS_PER_SEC},
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
         out["records"] = totals();
@@ -314,7 +335,7 @@ private:
     }
 
     [[nodiscard]] nlohmann::ordered_json totals() const {
-        const RunTotals totals = totalsOf(*m_program, m_frame.statistics, m_frame.block);
+        const RunTotals& totals = m_totals;
         const auto extreme = [&](const RunTotals::Extreme& of) -> nlohmann::ordered_json {
             if (of.value <= 0)
                 return nullptr;
@@ -374,10 +395,12 @@ private:
     Frame m_frame;
     ZMapSnapshot m_uncut; ///< if provenance was requested
     std::shared_ptr<const MachineTimes> m_times;
+    RunTotals m_totals;                       ///< if JSON was requested
     std::optional<SurfaceSnapshot> m_surface; ///< if JSON or a mesh file was requested
     MeasuredSurface m_measured;
     std::vector<MeshOutput> m_written;
     Seconds m_seconds;
+    double m_lapped = 0; ///< seconds after which the present phase began
 };
 
 } // namespace

@@ -20,6 +20,10 @@ void ThreadLimit::addTo(CLI::App& command) {
         ->type_name("N");
 }
 
+std::size_t ThreadLimit::threads() {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 void ThreadLimit::apply() {
     if (m_threads > 0)
         m_control = std::make_unique<Control>(m_threads);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -19,6 +20,8 @@ public:
     void addTo(CLI::App& command);
     /// Limits the threads from this call until this object is destroyed.
     void apply();
+    /// The number of threads that work in parallel now.
+    [[nodiscard]] static std::size_t threads();
 
 private:
     int m_threads = 0;

@@ -140,8 +140,16 @@ TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
     for (const char* key : {"blocks", "motions", "grid", "removedMm3", "facesFull", "facesDecimated",
                             "largestErrorMm", "errorLevel", "seconds", "peakBytes", "findings", "unverified"})
         EXPECT_TRUE(json.contains(key)) << key;
-    for (const char* phase : {"interpret", "allocate", "cut", "decimate", "write", "total"})
+    double sum = 0;
+    for (const char* phase :
+         {"prepare", "interpret", "allocate", "cut", "decimate", "evaluate", "write", "box"}) {
         EXPECT_GE(json["seconds"].value(phase, -1.0), 0) << phase;
+        sum += json["seconds"].value(phase, 0.0);
+    }
+    const double total = json["seconds"].value("total", 0.0);
+    EXPECT_NEAR(sum, total, 0.03 * total); // the phases are the whole run
+    EXPECT_GT(json["cpuSeconds"], 0);
+    EXPECT_EQ(simulate("--json --threads 1").json()["threads"], 1);
     EXPECT_EQ(json["blocks"], 8);
     EXPECT_EQ(json["motions"], 5);
     EXPECT_EQ(json["grid"]["nx"], 81);
