@@ -8350,6 +8350,14 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>PlotView</name>
     <message>
+        <source>Not measured.</source>
+        <translation>Nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Play, or press %1.</source>
+        <translation>Abspielen oder %1.</translation>
+    </message>
+    <message>
         <source>Play to measure</source>
         <translation>Zum Messen abspielen</translation>
     </message>
@@ -8934,6 +8942,14 @@ Keep Both saves your version as a new file in the same folder.</source>
     <message>
         <source>Forward by 10 Blocks</source>
         <translation>10 Sätze vor</translation>
+    </message>
+    <message>
+        <source>&amp;Measure Whole Program</source>
+        <translation>Ganzes Programm &amp;messen</translation>
+    </message>
+    <message>
+        <source>Execute every block to the end and measure its triangles and times for the plots</source>
+        <translation>Jeden Satz bis zum Ende ausführen und Dreiecke und Zeiten für die Diagramme messen</translation>
     </message>
     <message>
         <source>Execute the next 10 blocks</source>

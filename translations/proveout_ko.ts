@@ -8349,6 +8349,14 @@ Default: 0 mm</source>
 <context>
     <name>PlotView</name>
     <message>
+        <source>Not measured.</source>
+        <translation>측정되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Play, or press %1.</source>
+        <translation>재생하거나 %1 키를 누르십시오.</translation>
+    </message>
+    <message>
         <source>Play to measure</source>
         <translation>재생하면 측정됩니다</translation>
     </message>
@@ -8933,6 +8941,14 @@ Keep Both saves your version as a new file in the same folder.</source>
     <message>
         <source>Forward by 10 Blocks</source>
         <translation>10블록 앞으로</translation>
+    </message>
+    <message>
+        <source>&amp;Measure Whole Program</source>
+        <translation>전체 프로그램 측정(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Execute every block to the end and measure its triangles and times for the plots</source>
+        <translation>끝까지 모든 블록을 실행하여 그래프에 쓸 삼각형 수와 시간을 측정합니다</translation>
     </message>
     <message>
         <source>Execute the next 10 blocks</source>

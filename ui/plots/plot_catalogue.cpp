@@ -107,9 +107,10 @@ void addOwn(std::vector<PlotSpec>& plots) {
 std::vector<PlotSpec> makePlots() {
     std::vector<PlotSpec> plots{
         {"faces", QT_TRANSLATE_NOOP("Plots", "Triangles"), kBlocks, QT_TRANSLATE_NOOP("Plots", "Triangles"),
-         false, false, true, kFaces, faces},
+         false, false, true, kFaces, faces, nullptr, true},
         {"block-time", QT_TRANSLATE_NOOP("Plots", "Time per Block"), kBlocks,
-         QT_TRANSLATE_NOOP("Plots", "Time (ms)"), true, false, false, kTimes, milliseconds, pictureBlocks},
+         QT_TRANSLATE_NOOP("Plots", "Time (ms)"), true, false, false, kTimes, milliseconds, pictureBlocks,
+         true},
     };
     addOwn(plots);
     plots.push_back({"removal-rate", QT_TRANSLATE_NOOP("Plots", "Removal Rate"), kBlocks,

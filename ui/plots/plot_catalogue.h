@@ -54,6 +54,7 @@ struct PlotSpec {
         y; ///< value of the curve itself, not of the stack; NaN: unknown
     /// Null unless some curves are measured per frame; a row then shows its share, the mean per block.
     PictureBlocks (*picture)(const PlotInput&, std::size_t row) = nullptr;
+    bool measured = false; ///< values that are known only of blocks that were played
 };
 
 [[nodiscard]] std::span<const PlotSpec> plotCatalogue();

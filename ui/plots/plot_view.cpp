@@ -64,7 +64,7 @@ QString number(double value) {
 PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
     : QCustomPlot(parent), m_spec(spec), m_header(*this, spec.series.size()),
       m_blockTicks(QSharedPointer<PlotTicks>::create()), m_valueTicks(QSharedPointer<PlotTicks>::create()),
-      m_mark(new QCPItemStraightLine(this)), m_hint(new QCPItemText(this)) {
+      m_mark(new QCPItemStraightLine(this)), m_hint(*this) {
     setObjectName(QLatin1String(spec.id));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -76,8 +76,6 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
     xAxis->setTicker(m_blockTicks);
     yAxis->setTicker(m_valueTicks);
     yAxis->setPadding(4);
-    m_hint->position->setType(QCPItemPosition::ptAxisRectRatio);
-    m_hint->position->setCoords(0.5, 0.5);
     addCurves();
     setTexts();
     style();
@@ -103,7 +101,7 @@ void PlotView::setTexts() {
     setLogarithmic(yAxis->scaleType() == QCPAxis::stLogarithmic);
     for (std::size_t index = 0; index < m_spec.series.size(); ++index)
         graph(static_cast<int>(index))->setName(translated(m_spec.series[index].label));
-    m_hint->setText(tr("Play to measure"));
+    m_hint.retranslate();
     setAccessibleName(translated(m_spec.title));
     m_header.fit(width());
 }
@@ -129,8 +127,7 @@ void PlotView::style() {
     m_header.style(font(), text);
     m_header.fit(width());
     styleChanges();
-    m_hint->setColor(axisColour);
-    m_hint->setFont(font());
+    m_hint.style(font(), text, ground);
     styleMark();
     styleCurves();
 }
@@ -261,7 +258,7 @@ void PlotView::fitAxes() {
     fitValues();
     fitTicks();
     const bool measured = rows() > 0;
-    m_hint->setVisible(!measured);
+    m_hint.setEmpty(!measured);
     yAxis->setTickLabels(measured); // without curves the labels would mean nothing
 }
 

@@ -8,6 +8,7 @@
 
 #include "ui/plots/plot_catalogue.h"
 #include "ui/plots/plot_header.h"
+#include "ui/plots/plot_hint.h"
 #include "ui/plots/plot_ticks.h"
 
 class QScrollBar;
@@ -31,6 +32,7 @@ public:
 
     [[nodiscard]] bool following() const { return m_following; }
     void setFollowing(bool following);
+    [[nodiscard]] PlotHint& hint() { return m_hint; }
     /// Shows all blocks and follows the current one.
     void showAll();
 
@@ -87,7 +89,7 @@ private:
     QSharedPointer<PlotTicks> m_valueTicks;
     std::vector<PictureBlocks> m_pictures; ///< one per row, if the plot uses them
     QCPItemStraightLine* m_mark;
-    QCPItemText* m_hint;                         ///< shown instead of curves while there is no data
+    PlotHint m_hint;
     std::vector<QCPItemStraightLine*> m_changes; ///< owned by the plot
     std::size_t m_block = 0;
     std::size_t m_blockCount = 0;

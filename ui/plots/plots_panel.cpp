@@ -141,6 +141,7 @@ void PlotsPanel::refresh() {
     const PlotInput shown = input();
     m_trace.update(frame ? frame->parameters : m_session.job().parameters(), changes.firstBlock, m_block,
                    m_history.blocks().size());
+    noteGaps(changes.firstBlock);
     const std::vector<std::size_t> parameterChanges = m_trace.changes();
     for (PlotView* view : m_views) {
         view->setParameterChanges(parameterChanges);
@@ -151,6 +152,15 @@ void PlotsPanel::refresh() {
         if (view->isVisible())
             view->setBlock(m_block, m_blockCount);
     }
+}
+
+void PlotsPanel::noteGaps(std::size_t changed) {
+    const PersistentArray<BlockStatistics>& rows = m_history.blocks();
+    m_firstGap = std::min({m_firstGap, changed, rows.size()});
+    while (m_firstGap < rows.size() && rows[m_firstGap].isPlayed())
+        ++m_firstGap;
+    for (PlotView* view : m_views)
+        view->hint().setIncomplete(view->spec().measured && m_firstGap < rows.size());
 }
 
 QString PlotsPanel::csv(const PlotView& view) const {

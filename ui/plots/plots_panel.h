@@ -45,6 +45,8 @@ protected:
 
 private:
     void refresh();
+    /// Finds out whether a block was not measured; the rows before `changed` are as they were.
+    void noteGaps(std::size_t changed);
     [[nodiscard]] bool useTimes(const Frame* frame);
     [[nodiscard]] PlotInput input() const;
     void addView(const PlotSpec& spec, bool shown);
@@ -57,6 +59,7 @@ private:
     std::shared_ptr<const Program> m_program;    ///< the program of m_history
     std::shared_ptr<const MachineTimes> m_times; ///< times for the program of m_history; null: not known yet
     std::uint64_t m_generation = 0;              ///< generation of the frame that last updated m_history
+    std::size_t m_firstGap = 0; ///< the first row that was not measured; the number of rows if all were
     QToolBar* m_bar;
     PlotGrid* m_grid;
     QAction* m_follow;

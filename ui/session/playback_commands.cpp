@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/session/measure_key.h"
+
 namespace proveout {
 
 namespace {
@@ -19,7 +21,7 @@ void changeSpeed(Session& session, int direction) {
         session.playback().state().everyBlock);
 }
 
-const std::array<Command<Session>, 16> kCommands{{
+const std::array<Command<Session>, 18> kCommands{{
     {"play", QT_TRANSLATE_NOOP("SimulateCommands", "&Play"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Play or pause the program"), "play", "Space", Reach::window,
      [](Session& session) { session.playback().togglePlay(); }},
@@ -72,6 +74,11 @@ const std::array<Command<Session>, 16> kCommands{{
     {"faster", QT_TRANSLATE_NOOP("SimulateCommands", "Fa&ster"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Play faster"), "faster", "+; =", Reach::focus,
      [](Session& session) { changeSpeed(session, 1); }},
+    separator<Session>(),
+    {"measure", QT_TRANSLATE_NOOP("SimulateCommands", "&Measure Whole Program"),
+     QT_TRANSLATE_NOOP("SimulateCommands",
+                       "Execute every block to the end and measure its triangles and times for the plots"),
+     "", kMeasureKey, Reach::window, [](Session& session) { session.playback().measure(); }},
 }};
 
 } // namespace

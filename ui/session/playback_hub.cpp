@@ -148,6 +148,12 @@ void PlaybackHub::seek(std::size_t block) {
         postPlay();
 }
 
+void PlaybackHub::measure() {
+    emit headSent();
+    pause();
+    m_simulation.seek(m_program.blockCount(), true);
+}
+
 void PlaybackHub::stepToToolChange(int direction) {
     if (!m_program.current())
         return;

@@ -97,14 +97,14 @@ void SimulationHub::fail(const Diagnostics& errors, std::uint64_t generation) {
     emit m_problems.troubled();
 }
 
-void SimulationHub::seek(std::size_t block) {
-    post(seekTo(block));
+void SimulationHub::seek(std::size_t block, bool measured) {
+    post(seekTo(block, measured));
 }
 
 /// A load clears the target of the simulation, so it is stored here until it is reached.
-SeekCommand SimulationHub::seekTo(std::size_t block) {
+SeekCommand SimulationHub::seekTo(std::size_t block, bool measured) {
     m_sought = {std::min(block, m_program.blockCount()), ++m_ticket};
-    return {m_sought->block, m_ticket};
+    return {m_sought->block, m_ticket, measured};
 }
 
 void SimulationHub::step(std::ptrdiff_t blocks) {

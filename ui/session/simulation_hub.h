@@ -55,7 +55,8 @@ public:
     void refuse(const Diagnostics& errors);
     /// Call it for another document.
     void reset();
-    void seek(std::size_t block);
+    /// `measured`: every block on the way is measured.
+    void seek(std::size_t block, bool measured = false);
     /// Relative to target(); pauses.
     void step(std::ptrdiff_t blocks);
     /// Stops the simulation and clears the target.
@@ -80,7 +81,7 @@ private:
     void connectThread();
     void fail(const Diagnostics& errors, std::uint64_t generation);
     void dropFrame();
-    [[nodiscard]] SeekCommand seekTo(std::size_t block);
+    [[nodiscard]] SeekCommand seekTo(std::size_t block, bool measured);
 
     const DocumentHub& m_document;
     const ProgramHub& m_program;
