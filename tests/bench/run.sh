@@ -15,6 +15,7 @@ decimation|tests/bench/certified_bench MAPS
 certify|tests/bench/decimation_bench --benchmark_filter=generated/.*allowanceUm:50/
 peers|tests/bench/peers_bench MAP 0.1 200
 interpret|tests/bench/interpret_bench --benchmark_filter=none
+whole|tests/bench/whole_run
 memory|tests/bench/memory_table
 faults|tests/bench/fault_table
 core-insert|app/proveout-cli simulate --job SAMPLES/core-insert.proveout --json

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// whole_run [RUNS [WORKLOAD…]]: what the real command line takes for whole programs, beside the sum of the
+// kernels that the work consists of, measured in this process and in the same run. Fails if a run takes more
+// than 1.5 times its kernels.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <memory>
+#include <oneapi/tbb/global_control.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/stop_watch.h"
+#include "core/decimation/solid/solid.h"
+#include "core/decimation/surface/refined_surface.h"
+#include "core/formats/formats.h"
+#include "core/formats/solid_export.h"
+#include "core/nc/run/interpreter.h"
+#include "core/simulation/run/block_cutter.h"
+#include "core/simulation/run/simulation.h"
+#include "tests/app/measured_run.h"
+#include "tests/bench/workloads.h"
+
+namespace proveout::bench {
+namespace {
+
+constexpr double kMostOfKernels = 1.5;
+constexpr double kMegabyte = 1e6;
+
+/// What a run does besides cutting.
+enum class Output : std::uint8_t { none, solid };
+
+struct Case {
+    std::string_view workload;
+    double spacing;
+    Output output;
+    int threads;
+};
+constexpr Case kCases[]{
+    {"mould", 0.1, Output::solid, 2}, {"mouse", 0.1, Output::none, 2},   {"mouse", 0.1, Output::solid, 2},
+    {"die", 0.1, Output::none, 1},    {"die", 0.1, Output::none, 2},     {"die", 0.1, Output::solid, 2},
+    {"panel", 1, Output::none, 1},    {"panel", 1, Output::none, 2},     {"panel", 1, Output::solid, 2},
+    {"panel", 0.25, Output::none, 2}, {"panel", 0.25, Output::solid, 2}, {"panel", 0.1, Output::none, 1},
+    {"panel", 0.1, Output::none, 2},
+};
+
+/// A folder that is removed with everything in it.
+class Folder {
+public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "proveout-whole-XXXXXX").string();
+        m_path = ::mkdtemp(name.data());
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_path, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
+
+private:
+    std::filesystem::path m_path;
+};
+
+std::string toolOf(const Workload& workload) {
+    return fmt::format("ball:d={}", workload.diameter);
+}
+
+/// The seconds of one run of the kernels.
+struct Kernels {
+    double interpret = 0;
+    double records = 0;
+    double heights = 0;
+    double solid = 0; ///< decimation, closing, measuring and writing
+
+    [[nodiscard]] double sum(Output output) const {
+        return interpret + records + (output == Output::solid ? solid : 0);
+    }
+};
+
+double lap(StopWatch& watch) {
+    const double seconds = watch.seconds();
+    watch = StopWatch();
+    return seconds;
+}
+
+Kernels runKernels(const Case& one, const Workload& workload, const std::string& text,
+                   const std::filesystem::path& folder) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(one.threads));
+    Kernels seconds;
+    StopWatch watch;
+    const auto program = interpret(NcText(text));
+    seconds.interpret = lap(watch);
+
+    Setup setup;
+    setup.stock = stockOf(workload);
+    setup.spacing = one.spacing;
+    setup.tools.set(1, parseCutter(toolOf(workload)).value());
+    const ToolChoice tools(*program, setup);
+    const Grid grid = makeGrid(setup.stock, setup.spacing).value();
+    const auto motions = cutterMotions(*program, 0, program->blockCount(), setup, tools);
+    lap(watch);
+    {
+        ZMap zmap = uncutStock(setup.stock, setup.shape, grid).zmap;
+        (void)cutHeights(zmap, motions, {});
+        seconds.heights = lap(watch);
+    }
+    ZMap zmap = uncutStock(setup.stock, setup.shape, grid).zmap;
+    (void)cut(zmap, motions, {});
+    seconds.records = lap(watch);
+    if (one.output != Output::solid)
+        return seconds;
+    const DecimationParameters parameters = forExport({});
+    SurfaceSnapshot surface = decimatedWhole(zmap.snapshot(), parameters);
+    const TriangleMesh solid = closeSolid(zmap.snapshot(), surface.releaseTriangles());
+    (void)exportSolid(folder / "kernel.stl", *findFormat("stl")->meshWriter(), solid, zmap.snapshot(),
+                      parameters.allowance, errorLevel(parameters));
+    seconds.solid = lap(watch);
+    return seconds;
+}
+
+MeasuredRun runProduct(const Case& one, const Workload& workload, const std::filesystem::path& folder) {
+    std::vector<std::string> words{
+        PROVEOUT_CLI,
+        "simulate",
+        fmt::format("{}.nc", workload.name),
+        "--stock",
+        fmt::format("{}x{}x40", workload.width, workload.depth),
+        "--grid",
+        fmt::format("{}", one.spacing),
+        "--tool",
+        "1=" + toolOf(workload),
+        "--threads",
+        fmt::format("{}", one.threads),
+    };
+    if (one.output == Output::solid)
+        words.insert(words.end(), {"--stl", "product.stl"});
+    else
+        words.insert(words.end(), {"--method", "none"});
+    return runMeasured(words, folder);
+}
+
+template<class Value, class Order>
+const Value& medianOf(std::vector<Value>& values, Order by) {
+    std::ranges::sort(values, {}, by);
+    return values[values.size() / 2];
+}
+
+/// Product and kernels alternate, so that other load on the machine slows both.
+bool measure(const Case& one, const Workload& workload, int runs) {
+    const Folder folder;
+    const std::string text = programOf(workload);
+    std::ofstream(folder.path() / fmt::format("{}.nc", workload.name), std::ios::binary) << text;
+    std::vector<MeasuredRun> products;
+    std::vector<Kernels> kernels;
+    for (int run = 0; run < runs; ++run) {
+        products.push_back(runProduct(one, workload, folder.path()));
+        kernels.push_back(runKernels(one, workload, text, folder.path()));
+    }
+    const MeasuredRun& product = medianOf(products, &MeasuredRun::seconds);
+    const Kernels& kernel = medianOf(kernels, [&](const Kernels& k) { return k.sum(one.output); });
+    const double ratio = product.seconds / kernel.sum(one.output);
+    const bool fine = product.exitCode == 0 && ratio <= kMostOfKernels;
+    fmt::print(
+        "| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} | {} | {:.2f}{} |\n",
+        workload.name, one.spacing, one.output == Output::solid ? "STL" : "", one.threads, product.seconds,
+        product.cpuSeconds, product.peakBytes / kMegabyte, kernel.interpret, kernel.records, kernel.heights,
+        one.output == Output::solid ? fmt::format("{:.2f}", kernel.solid) : "", ratio,
+        fine ? "" : " **too slow, or failed**");
+    std::fflush(stdout);
+    return fine;
+}
+
+} // namespace
+} // namespace proveout::bench
+
+int main(int argc, char** argv) {
+    using namespace proveout::bench;
+    const int runs = argc > 1 ? std::stoi(argv[1]) : 5;
+    const std::vector<std::string_view> names(argv + std::min(argc, 2), argv + argc);
+    fmt::print("| program | grid | | threads | product s | its CPU s | its peak MB | interpret | records | "
+               "heights | "
+               "solid | product / kernels |\n|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+    bool fine = true;
+    for (const Case& one : kCases) {
+        const auto workload = std::ranges::find(workloads(), one.workload, &Workload::name);
+        if (names.empty() || std::ranges::find(names, one.workload) != names.end())
+            fine = measure(one, *workload, runs) && fine;
+    }
+    return fine ? 0 : 1;
+}
