@@ -6,6 +6,7 @@
 #include <ctime>
 #include <fmt/core.h>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,12 +26,14 @@
 #include "app/cli/tool_report.h"
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
+#include "core/base/memory_watch.h"
 #include "core/base/stop_watch.h"
 #include "core/formats/stock_file.h"
 #include "core/simulation/records/block_provenance.h"
 #include "core/simulation/records/block_records.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/setup/tool_choice.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout::cli {
 
@@ -71,8 +74,10 @@ public:
     ExitCode run() {
         if (!prepare() || !simulate())
             return failed();
-        decimate();
+        const bool complete = decimate();
         write();
+        if (!complete)
+            return failed();
         m_options.box.run(*m_program, m_job.setup, m_frame.block, m_report);
         m_seconds.box = lap();
         m_seconds.total = m_watch.seconds();
@@ -175,7 +180,8 @@ private:
         return {.schedule = followsSchedule(),
                 .whole = !full && (solid || m_options.json),
                 .solid = solid,
-                .again = !m_options.provenance.empty()};
+                .again = !m_options.provenance.empty(),
+                .watched = true};
     }
 
     bool interpretProgram() {
@@ -233,16 +239,43 @@ private:
         return true;
     }
 
-    void decimate() {
-        const bool decimated = m_options.mesh == "decimated";
+    /// Makes the surface if an output needs it; false if there is not enough memory for it.
+    bool decimate() {
         if (!m_options.json && !m_options.meshes.wanted())
-            return;
+            return true;
+        const std::uint64_t available = memoryLimitBytes();
+        try {
+            if (makeSurface(available))
+                return true;
+        } catch (const std::bad_alloc&) {
+            m_measured = {};
+        }
+        m_surface.reset();
+        m_seconds.decimate += lap();
+        const Grid& grid = m_frame.zmap.grid();
+        const auto would = finestSpacing(m_job.setup.stock, zmapBytes(grid) + static_cast<double>(available),
+                                         meshBytesPerPoint(scheduled(), mapOutputs()));
+        m_report.addFatal(failure(command_line_finding::kSurfaceNeedsTooMuchMemory,
+                                  {readableBytes(static_cast<double>(available)),
+                                   fmt::format("{:g}", would.value_or(m_job.setup.spacing))})
+                              .value());
+        return false;
+    }
+
+    /// False if the surface would need more than `available` bytes.
+    bool makeSurface(std::uint64_t available) {
+        const MemoryWatch watch(available);
+        const bool decimated = m_options.mesh == "decimated";
         m_surface =
-            decimated ? m_simulation->decimatedNow()
+            decimated ? m_simulation->decimatedNow({watch.stop(), {}})
                       : Surface(m_frame.zmap.grid().nx, m_frame.zmap.grid().ny, m_job.parameters).snapshot();
         m_seconds.decimate += lap();
+        if (watch.exceeded() || (decimated && surfaceBytes(m_surface->faces, mapOutputs()) >
+                                                  static_cast<double>(memoryLimitBytes())))
+            return false;
         m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters);
         m_seconds.evaluate += lap();
+        return true;
     }
 
     void write() {
@@ -256,7 +289,7 @@ private:
             fine(writeRecords(m_options.records, m_frame));
         if (!m_options.stock.empty())
             fine(writeStock(m_options.stock, m_frame.zmap, m_job.setup.spacing, provenance()));
-        if (m_options.meshes.wanted())
+        if (m_options.meshes.wanted() && m_surface)
             m_written = m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters, m_report);
         m_seconds.write = lap();
     }
@@ -302,6 +335,7 @@ private:
               {"total", m_seconds.total}}},
             {"threads", ThreadLimit::threads()},
             {"cpuSeconds", static_cast<double>(std::clock()) / CLOCKS_PER_SEC},
+            {"expectedBytes", std::llround(expectedMapBytes(grid, scheduled(), mapOutputs()))},
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
         out["records"] = totals();

@@ -38,9 +38,10 @@ std::optional<std::uint64_t> numberOf(std::string_view wanted, const std::filesy
     return std::nullopt;
 }
 
-/// Address space and private memory of this process, bytes; a thread's stack counts as private.
+/// Address space, resident and private memory of this process, bytes; a thread's stack counts as private.
 struct ProcessSize {
     std::uint64_t addressSpace = 0;
+    std::uint64_t resident = 0;
     std::uint64_t data = 0;
 };
 
@@ -54,7 +55,7 @@ ProcessSize processSize(const std::filesystem::path& proc) {
     if (!(std::ifstream(proc / "self" / "statm") >> total >> resident >> shared >> text >> libraries >> data))
         return {};
     const auto page = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-    return {total * page, data * page};
+    return {total * page, resident * page, data * page};
 }
 
 std::uint64_t softLimit(decltype(RLIMIT_AS) resource) {
@@ -105,6 +106,10 @@ std::uint64_t memoryLimitBytes(const MemorySources& sources) {
     const GroupMemory groups = controlGroupMemory(sources);
     const std::uint64_t installed = machineBytes("MemTotal:", sources.proc).value_or(kNoLimit);
     return std::min(available(sources, groups), std::min(installed, groups.limit) / 2);
+}
+
+std::uint64_t residentMemoryBytes(const MemorySources& sources) {
+    return processSize(sources.proc).resident;
 }
 
 std::uint64_t peakMemoryBytes() {

@@ -23,6 +23,9 @@ struct MemorySources {
 /// the control groups allow, so that the machine stays usable. Ask before allocating. Takes some 100 µs.
 [[nodiscard]] std::uint64_t memoryLimitBytes(const MemorySources& sources = {});
 
+/// The resident size of this process now; 0 where the system does not report it.
+[[nodiscard]] std::uint64_t residentMemoryBytes(const MemorySources& sources = {});
+
 /// The largest resident size that this process has had; 0 where the system does not report it.
 [[nodiscard]] std::uint64_t peakMemoryBytes();
 

@@ -18,6 +18,7 @@ constexpr double kLayer = 25;    ///< for each merge of regions: the meshes that
 constexpr double kMeasured = 30; ///< all triangles a second time, and the distances of the points
 constexpr double kSolid = 135;   ///< including the list of triangles that becomes its own
 constexpr double kAgain = 13;    ///< two maps and 4 bytes per mark
+constexpr double kMachined = 12; ///< all of that for a machined surface: 10 to 12 in the runs of whole_run
 /// A region with its borders and its entries in arrays, without triangles; measured on planes.
 constexpr double kRegion = 500;
 
@@ -53,6 +54,13 @@ double regionBytesPerPoint(const DecimationParameters& parameters) {
     return method.bytesPerPoint + kRegion / (parameters.regionCells * parameters.regionCells);
 }
 
+/// What is taken whatever the surface looks like. A method that works on the whole map takes all at once.
+MapOutputs certainOutputs(const DecimationParameters& parameters, MapOutputs outputs) {
+    if (outputs.watched && decimatesWhole(parameters, outputs) && !row(parameters.method).wholeMap)
+        outputs.whole = outputs.solid = false;
+    return outputs;
+}
+
 } // namespace
 
 double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
@@ -77,6 +85,17 @@ double mapBytes(const Grid& grid, const DecimationParameters& parameters, const 
     return zmapBytes(grid) + pointsOf(grid) * meshBytesPerPoint(parameters, outputs);
 }
 
+double surfaceBytes(std::size_t faces, const MapOutputs& outputs) {
+    constexpr double kFacesPerPoint = 2; // without decimation
+    return static_cast<double>(faces) / kFacesPerPoint * (outputs.solid ? kSolid : kMeasured);
+}
+
+double expectedMapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {
+    const MapOutputs certain = certainOutputs(parameters, outputs);
+    const double expected = mapBytes(grid, parameters, certain);
+    return certain.whole == outputs.whole ? expected : expected + kMachined * pointsOf(grid);
+}
+
 Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const DecimationParameters& parameters,
                             const MapOutputs& outputs, double limitBytes) {
     const double points = pointsOf(grid);
@@ -87,8 +106,10 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
                         fmt::format("{:.0f}", most), fmt::format("{:.0f}", points)});
     DecimationParameters coarser = parameters; // of coarser grids, for which defaultRegion() is smaller
     coarser.regionCells = std::min(parameters.regionCells, row(parameters.method).defaultRegion);
-    return checkMemory(stock, grid, limitBytes, meshBytesPerPoint(parameters, outputs),
-                       meshBytesPerPoint(coarser, outputs));
+    const double anySurface =
+        std::max(meshBytesPerPoint(parameters, outputs), meshBytesPerPoint(coarser, outputs));
+    return checkMemory(stock, grid, limitBytes,
+                       meshBytesPerPoint(parameters, certainOutputs(parameters, outputs)), anySurface);
 }
 
 double bytesAtRest(const DecimationParameters& parameters, const Grid& grid, std::size_t faces) {

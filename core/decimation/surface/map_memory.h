@@ -16,11 +16,18 @@ struct MapOutputs {
     bool whole = false;   ///< the whole map is decimated at the end (decimatedWhole()) and measured
     bool solid = false;   ///< the decimated or else the full mesh, closed and written to files
     bool again = false;   ///< the map is kept uncut, and cut a second time with a mark per point
+    /// Whoever decimates the whole map watches its memory (MemoryWatch, surfaceBytes()), so that it need not
+    /// be there in advance: triangles are only known when they are made, and machined parts need a tenth of
+    /// what noise needs.
+    bool watched = false;
 };
 
 /// Bytes per point of the grid that the meshes need at most, even if no triangle can be removed and the
 /// surface comes down to the floor everywhere.
 [[nodiscard]] double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
+
+/// Bytes for measuring a surface of so many triangles and, if a solid is wanted, closing it.
+[[nodiscard]] double surfaceBytes(std::size_t faces, const MapOutputs& outputs);
 
 /// The same for the meshes that remain once everything is made.
 [[nodiscard]] double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
@@ -29,8 +36,12 @@ struct MapOutputs {
 [[nodiscard]] double mapBytes(const Grid& grid, const DecimationParameters& parameters,
                               const MapOutputs& outputs);
 
+/// The same for a machined surface.
+[[nodiscard]] double expectedMapBytes(const Grid& grid, const DecimationParameters& parameters,
+                                      const MapOutputs& outputs);
+
 /// Refuses a grid whose map and meshes need more than `limitBytes` (checkMemory() of core/zmap), or that has
-/// more points than the method can count.
+/// more points than the method can count. The spacing that it names would fit with any surface.
 [[nodiscard]] Result<void> checkMapMemory(const StockBox& stock, const Grid& grid,
                                           const DecimationParameters& parameters, const MapOutputs& outputs,
                                           double limitBytes);

@@ -24,6 +24,13 @@ inline constexpr FindingRow kOutputUnwritableReason{Severity::error,
                                                     ""};
 inline constexpr FindingRow kCommandOutOfMemory{
     Severity::error, false, "out-of-memory", "Out of memory", "There is not enough memory.", ""};
+inline constexpr FindingRow kSurfaceNeedsTooMuchMemory{
+    Severity::error,
+    false,
+    "surface-needs-too-much-memory",
+    "Surface needs too much memory",
+    "The surface needs more memory than is available ({}); any surface on a grid of {} mm would fit.",
+    "Choose a coarser grid or a larger allowance. All files without the surface were written."};
 inline constexpr FindingRow kCommandFailed{
     Severity::error, false, "internal-error", "Internal error", "The command failed: {}.", ""};
 inline constexpr FindingRow kNoProgram{
@@ -108,6 +115,7 @@ inline constexpr std::array kCommandLineRows{&kUsage,
                                              &kOutputUnwritable,
                                              &kOutputUnwritableReason,
                                              &kCommandOutOfMemory,
+                                             &kSurfaceNeedsTooMuchMemory,
                                              &kCommandFailed,
                                              &kNoProgram,
                                              &kNoStock,

@@ -52,6 +52,22 @@ TEST(MapMemory, OfASolidNothingButTheScheduleRemains) {
     EXPECT_LE(heldBytesPerPoint(parameters, {.whole = true}), meshBytesPerPoint(parameters, {.whole = true}));
 }
 
+TEST(MapMemory, OfAWatchedSurfaceIsNotRequiredInAdvance) {
+    const StockBox stock{Vec3(0), 2000, 1000, 40};
+    const Grid grid = makeGrid(stock, 0.1).value();
+    DecimationParameters parameters;
+    const MapOutputs any{.schedule = false, .whole = true, .solid = true};
+    const MapOutputs watched{.schedule = false, .whole = true, .solid = true, .watched = true};
+    const double map = zmapBytes(grid);
+    EXPECT_FALSE(checkMapMemory(stock, grid, parameters, any, 1.01 * map));
+    EXPECT_TRUE(checkMapMemory(stock, grid, parameters, watched, 1.01 * map));
+    EXPECT_FALSE(checkMapMemory(stock, grid, parameters, watched, 0.99 * map));
+    EXPECT_LT(expectedMapBytes(grid, parameters, watched), 5e9);
+    EXPECT_GT(mapBytes(grid, parameters, watched), 15e9) << "the forecast is still the worst";
+    parameters.method = DecimationMethod::none; // every triangle remains
+    EXPECT_FALSE(checkMapMemory(stock, grid, parameters, watched, 1.01 * map));
+}
+
 TEST(MapMemory, OfAMapIsWhatIsComparedWithTheLimit) {
     const StockBox stock{{0, 0, 0}, 100, 100, 20};
     const Grid grid = makeGrid(stock, 0.1).value();

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/memory_watch.h"
+
+#include <chrono>
+#include <new>
+#include <utility>
+
+namespace proveout {
+
+namespace {
+
+constexpr std::chrono::milliseconds kBetween{10};
+/// What must stay available, for what the work allocates between two looks.
+constexpr std::uint64_t kReserve = 32'000'000;
+
+} // namespace
+
+MemoryWatch::MemoryWatch(std::uint64_t limitBytes, MemorySources sources)
+    : m_most(residentMemoryBytes(sources) + limitBytes), m_sources(std::move(sources)),
+      m_thread([this](const std::stop_token& end) { watch(end); }) {}
+
+MemoryWatch::~MemoryWatch() = default;
+
+void MemoryWatch::watch(const std::stop_token& end) {
+    std::unique_lock lock(m_mutex);
+    while (!end.stop_requested()) {
+        if (isTooMuch()) {
+            m_work.request_stop();
+            return;
+        }
+        m_ended.wait_for(lock, end, kBetween, [] { return false; });
+    }
+}
+
+bool MemoryWatch::isTooMuch() const {
+    try {
+        return residentMemoryBytes(m_sources) > m_most || availableMemoryBytes(m_sources) < kReserve;
+    } catch (const std::bad_alloc&) {
+        return true;
+    }
+}
+
+} // namespace proveout

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+#include "core/base/memory.h"
+
+namespace proveout {
+
+/// Stops long work whose memory is only known once it is done, before it takes more than it may. Looks every
+/// few milliseconds, in a thread of its own, from its construction to its destruction; so the work may exceed
+/// the limit by what it allocates in that time. Any thread may ask it.
+class MemoryWatch {
+public:
+    /// `limitBytes`: how much the process may grow from now on. Less if less is available.
+    explicit MemoryWatch(std::uint64_t limitBytes, MemorySources sources = {});
+    ~MemoryWatch();
+    MemoryWatch(const MemoryWatch&) = delete;
+    MemoryWatch& operator=(const MemoryWatch&) = delete;
+
+    /// For the work; stopped when the limit is exceeded.
+    [[nodiscard]] std::stop_token stop() const { return m_work.get_token(); }
+    [[nodiscard]] bool exceeded() const { return m_work.stop_requested(); }
+
+private:
+    void watch(const std::stop_token& end);
+    [[nodiscard]] bool isTooMuch() const;
+
+    std::uint64_t m_most; ///< bytes that the process may have
+    MemorySources m_sources;
+    std::stop_source m_work;
+    std::mutex m_mutex;
+    std::condition_variable_any m_ended;
+    std::jthread m_thread; ///< last, so that it ends before what it uses
+};
+
+} // namespace proveout
