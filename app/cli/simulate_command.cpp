@@ -243,9 +243,9 @@ private:
     bool decimate() {
         if (!m_options.json && !m_options.meshes.wanted())
             return true;
-        const std::uint64_t available = memoryLimitBytes();
+        const double available = availableBytes();
         try {
-            if (makeSurface(available))
+            if (makeSurface())
                 return true;
         } catch (const std::bad_alloc&) {
             m_measured = {};
@@ -253,25 +253,30 @@ private:
         m_surface.reset();
         m_seconds.decimate += lap();
         const Grid& grid = m_frame.zmap.grid();
-        const auto would = finestSpacing(m_job.setup.stock, zmapBytes(grid) + static_cast<double>(available),
+        const auto would = finestSpacing(m_job.setup.stock, zmapBytes(grid) + available,
                                          meshBytesPerPoint(scheduled(), mapOutputs()));
-        m_report.addFatal(failure(command_line_finding::kSurfaceNeedsTooMuchMemory,
-                                  {readableBytes(static_cast<double>(available)),
-                                   fmt::format("{:g}", would.value_or(m_job.setup.spacing))})
-                              .value());
+        m_report.addFatal(
+            failure(command_line_finding::kSurfaceNeedsTooMuchMemory,
+                    {readableBytes(available), fmt::format("{:g}", would.value_or(m_job.setup.spacing))})
+                .value());
         return false;
     }
 
-    /// False if the surface would need more than `available` bytes.
-    bool makeSurface(std::uint64_t available) {
-        const MemoryWatch watch(available);
+    /// What this run may still allocate. (Asking the system again would count the threads twice.)
+    [[nodiscard]] double availableBytes() const {
+        return std::max(0.0, static_cast<double>(m_mostBytes) - static_cast<double>(residentMemoryBytes()));
+    }
+
+    /// False if the surface would need more memory than there is.
+    bool makeSurface() {
+        const MemoryWatch watch(m_mostBytes);
         const bool decimated = m_options.mesh == "decimated";
         m_surface =
             decimated ? m_simulation->decimatedNow({watch.stop(), {}})
                       : Surface(m_frame.zmap.grid().nx, m_frame.zmap.grid().ny, m_job.parameters).snapshot();
         m_seconds.decimate += lap();
-        if (watch.exceeded() || (decimated && surfaceBytes(m_surface->faces, mapOutputs()) >
-                                                  static_cast<double>(memoryLimitBytes())))
+        const bool known = m_surface->dirtyRegions > 0; // the forecast was exact
+        if (watch.exceeded() || (!known && surfaceBytes(m_surface->faces, mapOutputs()) > availableBytes()))
             return false;
         m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters);
         m_seconds.evaluate += lap();
@@ -422,6 +427,7 @@ private:
 
     SimulateOptions& m_options;
     const StopWatch m_watch;
+    const std::uint64_t m_mostBytes = residentMemoryBytes() + memoryLimitBytes(); ///< resident
     Report m_report;
     Job m_job;
     std::shared_ptr<const Program> m_program;

@@ -91,15 +91,22 @@ std::optional<std::uint64_t> machineBytes(std::string_view key, const std::files
     return kibibytes ? std::optional(*kibibytes * 1024) : std::nullopt;
 }
 
+std::uint64_t ofMachine(const MemorySources& sources, const GroupMemory& groups) {
+    return std::min(machineBytes("MemAvailable:", sources.proc).value_or(kCautiousGuess), groups.available);
+}
+
 std::uint64_t available(const MemorySources& sources, const GroupMemory& groups) {
-    return std::min({machineBytes("MemAvailable:", sources.proc).value_or(kCautiousGuess), groups.available,
-                     resourceLimitsLeave(sources.proc)});
+    return std::min(ofMachine(sources, groups), resourceLimitsLeave(sources.proc));
 }
 
 } // namespace
 
 std::uint64_t availableMemoryBytes(const MemorySources& sources) {
     return available(sources, controlGroupMemory(sources));
+}
+
+std::uint64_t machineMemoryBytes(const MemorySources& sources) {
+    return ofMachine(sources, controlGroupMemory(sources));
 }
 
 std::uint64_t memoryLimitBytes(const MemorySources& sources) {

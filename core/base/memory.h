@@ -19,6 +19,9 @@ struct MemorySources {
 /// resource limits (`ulimit -v`, `ulimit -d`) leave after the reservations of its threads.
 [[nodiscard]] std::uint64_t availableMemoryBytes(const MemorySources& sources = {});
 
+/// The same without the resource limits, which count the threads that run already.
+[[nodiscard]] std::uint64_t machineMemoryBytes(const MemorySources& sources = {});
+
 /// Bytes that a job may allocate: what is available, but never more than half of what is installed or what
 /// the control groups allow, so that the machine stays usable. Ask before allocating. Takes some 100 µs.
 [[nodiscard]] std::uint64_t memoryLimitBytes(const MemorySources& sources = {});

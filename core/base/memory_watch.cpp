@@ -15,8 +15,8 @@ constexpr std::uint64_t kReserve = 32'000'000;
 
 } // namespace
 
-MemoryWatch::MemoryWatch(std::uint64_t limitBytes, MemorySources sources)
-    : m_most(residentMemoryBytes(sources) + limitBytes), m_sources(std::move(sources)),
+MemoryWatch::MemoryWatch(std::uint64_t mostBytes, MemorySources sources)
+    : m_most(mostBytes), m_sources(std::move(sources)),
       m_thread([this](const std::stop_token& end) { watch(end); }) {}
 
 MemoryWatch::~MemoryWatch() = default;
@@ -34,7 +34,7 @@ void MemoryWatch::watch(const std::stop_token& end) {
 
 bool MemoryWatch::isTooMuch() const {
     try {
-        return residentMemoryBytes(m_sources) > m_most || availableMemoryBytes(m_sources) < kReserve;
+        return residentMemoryBytes(m_sources) > m_most || machineMemoryBytes(m_sources) < kReserve;
     } catch (const std::bad_alloc&) {
         return true;
     }

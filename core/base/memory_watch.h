@@ -16,8 +16,8 @@ namespace proveout {
 /// the limit by what it allocates in that time. Any thread may ask it.
 class MemoryWatch {
 public:
-    /// `limitBytes`: how much the process may grow from now on. Less if less is available.
-    explicit MemoryWatch(std::uint64_t limitBytes, MemorySources sources = {});
+    /// `mostBytes`: the resident size that the process may reach; less if the machine has less available.
+    explicit MemoryWatch(std::uint64_t mostBytes, MemorySources sources = {});
     ~MemoryWatch();
     MemoryWatch(const MemoryWatch&) = delete;
     MemoryWatch& operator=(const MemoryWatch&) = delete;
@@ -30,7 +30,7 @@ private:
     void watch(const std::stop_token& end);
     [[nodiscard]] bool isTooMuch() const;
 
-    std::uint64_t m_most; ///< bytes that the process may have
+    std::uint64_t m_most;
     MemorySources m_sources;
     std::stop_source m_work;
     std::mutex m_mutex;
