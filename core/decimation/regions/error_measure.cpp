@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/decimation/regions/canonical_surface.h"
+#include "core/decimation/regions/row_bands.h"
 
 namespace proveout {
 
@@ -112,6 +113,23 @@ private:
     std::vector<double> m_distance; ///< per point of the rectangle; negative: not covered yet
 };
 
+VerticalError sumOf(const VerticalError& a, const VerticalError& b) {
+    return {std::max(a.largest, b.largest), a.beyond + b.beyond, a.uncovered + b.uncovered};
+}
+
+VerticalError errorOfBand(const ZMapSnapshot& zmap, const IndexRect& rect, const RowBands& bands,
+                          std::size_t band, std::span<const LatticeTriangle> triangles, double allowance) {
+    const auto [first, last] = bands.rows(band);
+    const IndexRect own =
+        intersection(rect, {0, static_cast<int>(first), zmap.grid().nx, static_cast<int>(last) + 1});
+    if (own.empty())
+        return {};
+    Measurement measurement(zmap, own);
+    for (const std::uint32_t triangle : bands.trianglesOf(band))
+        measurement.add(triangles[triangle]);
+    return measurement.result(allowance);
+}
+
 } // namespace
 
 VerticalError measureVerticalError(const ZMapSnapshot& zmap, const IndexRect& rect,
@@ -119,10 +137,21 @@ VerticalError measureVerticalError(const ZMapSnapshot& zmap, const IndexRect& re
     const IndexRect inside = intersection(rect, {0, 0, zmap.grid().nx, zmap.grid().ny});
     if (inside.empty())
         return {};
-    Measurement measurement(zmap, inside);
-    for (const LatticeTriangle& triangle : triangles)
-        measurement.add(triangle);
-    return measurement.result(allowance);
+    const auto nx = static_cast<std::uint32_t>(zmap.grid().nx);
+    const RowBands bands(static_cast<std::size_t>(zmap.grid().ny), triangles.size(), [&](std::size_t t) {
+        const auto& [a, b, c] = triangles[t];
+        return RowBands::Rows{std::min({a, b, c}) / nx, std::max({a, b, c}) / nx};
+    });
+    using Range = tbb::blocked_range<std::size_t>;
+    constexpr std::size_t kBandsOfTask = 1;
+    return tbb::parallel_reduce(
+        Range(0, bands.count(), kBandsOfTask), VerticalError(),
+        [&](const Range& range, VerticalError error) {
+            for (std::size_t band = range.begin(); band < range.end(); ++band)
+                error = sumOf(error, errorOfBand(zmap, inside, bands, band, triangles, allowance));
+            return error;
+        },
+        sumOf);
 }
 
 double measureSurfaceError(const ZMapSnapshot& zmap, std::span<const LatticeTriangle> triangles) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/solid/solid_error.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,13 +14,12 @@
 #include <vector>
 
 #include "core/decimation/regions/canonical_surface.h"
+#include "core/decimation/regions/row_bands.h"
+#include "core/decimation/surface/tally.h"
 
 namespace proveout {
 
 namespace {
-
-/// Triangles between two checks of the context: a few milliseconds of work.
-constexpr std::size_t kBatch = 8192;
 
 using Corners = std::array<Vec3, 3>;
 using Weights = std::array<double, 3>;
@@ -93,47 +95,75 @@ Vec2 stretchAt(double y, const Corners& at) {
     return stretch;
 }
 
-class Measurement {
+/// The top of a solid with rounded coordinates, over the grid points of a map. Any thread.
+class SolidTop {
 public:
-    Measurement(const ZMapSnapshot& zmap, CoordinateType type, ErrorLevel level, const std::stop_token& stop)
-        : m_zmap(zmap), m_full(zmap), m_type(type), m_level(level), m_stop(stop),
+    SolidTop(const ZMapSnapshot& zmap, const TriangleMesh& solid, CoordinateType type)
+        : m_zmap(zmap), m_solid(solid), m_full(zmap), m_type(type),
           m_columns(zmap.grid().nx, zmap.grid().x0, zmap.grid().hx, ends().first),
-          m_rows(zmap.grid().ny, zmap.grid().y0, zmap.grid().hy, ends().second),
-          m_covered(m_columns.size() * m_rows.size()) {}
+          m_rows(zmap.grid().ny, zmap.grid().y0, zmap.grid().hy, ends().second) {}
 
-    void add(const TriangleMesh& solid, const std::array<std::uint32_t, 3>& triangle) {
+    [[nodiscard]] std::size_t rows() const { return m_rows.size(); }
+    [[nodiscard]] std::size_t columns() const { return m_columns.size(); }
+
+    /// The corners of a triangle that faces upwards; nothing for a wall, or the floor.
+    [[nodiscard]] std::optional<Corners> cornersOf(std::size_t triangle) const {
         Corners at;
-        std::transform(triangle.begin(), triangle.end(), at.begin(),
-                       [&](std::uint32_t vertex) { return roundedTo(m_type, solid.vertices[vertex]); });
+        std::ranges::transform(m_solid.triangles[triangle], at.begin(), [&](std::uint32_t vertex) {
+            return roundedTo(m_type, m_solid.vertices[vertex]);
+        });
         const Vec2 one = at[1] - at[0];
         const Vec2 other = at[2] - at[0];
         if (one.x * other.y <= one.y * other.x)
-            return; // a wall, or the floor
-        if (m_level == ErrorLevel::surface)
-            for (std::size_t k = 0; k < at.size(); ++k)
-                m_largest =
-                    std::max(m_largest, m_full.distanceAlong(inCells(at[k]), inCells(at[(k + 1) % 3])));
-        const auto [low, high] = std::minmax({at[0].y, at[1].y, at[2].y});
-        // Checked in every row, because two triangles may cover the whole map.
-        for (std::size_t j = m_rows.firstFrom(low); j <= m_rows.lastTo(high) && !m_stop.stop_requested();
-             ++j) {
-            const Vec2 stretch = stretchAt(m_rows[j], at);
-            if (stretch.x > stretch.y)
-                continue;
-            const std::size_t last = m_columns.lastTo(stretch.y);
-            for (std::size_t i = m_columns.firstFrom(stretch.x); i <= last; ++i)
-                addPoint(i, j, at);
-        }
+            return std::nullopt;
+        return at;
     }
 
-    [[nodiscard]] double largest() const {
-        double largest = m_largest;
-        const double floor = m_zmap.stock().topZ() + static_cast<double>(m_zmap.floor());
-        for (std::size_t j = 0; j < m_rows.size(); ++j)
-            for (std::size_t i = 0; i < m_columns.size(); ++i)
-                if (!m_covered[j * m_columns.size() + i])
-                    largest = std::max(largest, height(i, j) - floor);
+    [[nodiscard]] RowBands::Rows rowsOf(std::size_t triangle) const {
+        const auto at = cornersOf(triangle);
+        if (!at)
+            return {1, 0};
+        const auto [low, high] = std::minmax({(*at)[0].y, (*at)[1].y, (*at)[2].y});
+        return {m_rows.firstFrom(low), m_rows.lastTo(high)};
+    }
+
+    /// The largest distance of the canonical full mesh from the edges of a triangle.
+    [[nodiscard]] double alongEdges(std::size_t triangle) const {
+        const auto at = cornersOf(triangle);
+        double largest = 0;
+        for (std::size_t k = 0; at && k < at->size(); ++k)
+            largest = std::max(largest, m_full.distanceAlong(inCells((*at)[k]), inCells((*at)[(k + 1) % 3])));
         return largest;
+    }
+
+    /// Calls `visit(column)` for each point in row `j` that a triangle may cover.
+    template<class Visit>
+    void eachColumn(const Corners& at, std::size_t j, const Visit& visit) const {
+        const Vec2 stretch = stretchAt(m_rows[j], at);
+        if (stretch.x > stretch.y)
+            return;
+        const std::size_t last = m_columns.lastTo(stretch.y);
+        for (std::size_t i = m_columns.firstFrom(stretch.x); i <= last; ++i)
+            visit(i);
+    }
+
+    /// The distance of a point from a triangle; nothing if it is beside it.
+    [[nodiscard]] std::optional<double> distance(std::size_t i, std::size_t j, const Corners& at) const {
+        const auto weights = weightsAt({m_columns[i], m_rows[j]}, at);
+        if (!weights)
+            return std::nullopt;
+        const auto& [a, b, c] = *weights;
+        const double area = a + b + c;
+        if (area <= 0)
+            return std::nullopt;
+        // Divided first: at a corner one share is exactly 1, so that the surface is exactly its height.
+        const double surface = a / area * at[0].z + b / area * at[1].z + c / area * at[2].z;
+        return std::abs(surface - height(i, j));
+    }
+
+    /// The distance of a point that no triangle covers.
+    [[nodiscard]] double aboveFloor(std::size_t i, std::size_t j) const {
+        return height(i, j) - (m_zmap.stock().topZ() + static_cast<double>(m_zmap.floor()));
     }
 
 private:
@@ -156,30 +186,56 @@ private:
         return {(at.x - grid.x0) / grid.hx, (at.y - grid.y0) / grid.hy, at.z - m_zmap.stock().topZ()};
     }
 
-    void addPoint(std::size_t i, std::size_t j, const Corners& at) {
-        const auto weights = weightsAt({m_columns[i], m_rows[j]}, at);
-        if (!weights)
-            return;
-        const auto& [a, b, c] = *weights;
-        const double area = a + b + c;
-        if (area <= 0)
-            return;
-        m_covered[j * m_columns.size() + i] = true;
-        // Divided first: at a corner one share is exactly 1, so that the surface is exactly its height.
-        const double surface = a / area * at[0].z + b / area * at[1].z + c / area * at[2].z;
-        m_largest = std::max(m_largest, std::abs(surface - height(i, j)));
-    }
-
     const ZMapSnapshot& m_zmap;
+    const TriangleMesh& m_solid;
     CanonicalSurface m_full;
     CoordinateType m_type;
-    ErrorLevel m_level;
-    const std::stop_token& m_stop;
     Axis m_columns;
     Axis m_rows;
-    std::vector<bool> m_covered; ///< per grid point
-    double m_largest = 0;
 };
+
+/// The largest distance in a band of rows. A stop is looked for in every row, because two triangles may cover
+/// the whole map.
+double errorOfBand(const SolidTop& top, const RowBands& bands, std::size_t band,
+                   const std::stop_token& stop) {
+    const RowBands::Rows rows = bands.rows(band);
+    const std::size_t first = rows.first; // Clang 14 captures no structured bindings
+    const std::size_t last = rows.last;
+    std::vector<bool> covered((last + 1 - first) * top.columns());
+    double largest = 0;
+    for (const std::uint32_t triangle : bands.trianglesOf(band)) {
+        const Corners at = *top.cornersOf(triangle);
+        const auto reached = top.rowsOf(triangle);
+        for (std::size_t j = std::max(first, reached.first);
+             j <= std::min(last, reached.last) && !stop.stop_requested(); ++j)
+            top.eachColumn(at, j, [&](std::size_t i) {
+                const auto distance = top.distance(i, j, at);
+                if (!distance)
+                    return;
+                covered[(j - first) * top.columns() + i] = true;
+                largest = std::max(largest, *distance);
+            });
+    }
+    for (std::size_t j = first; j <= last && !stop.stop_requested(); ++j)
+        for (std::size_t i = 0; i < top.columns(); ++i)
+            if (!covered[(j - first) * top.columns() + i])
+                largest = std::max(largest, top.aboveFloor(i, j));
+    return largest;
+}
+
+/// The largest of `valueOf(k)` for all k below `count`, by several threads.
+template<class ValueOf>
+double largestOf(std::size_t count, const ValueOf& valueOf) {
+    using Range = tbb::blocked_range<std::size_t>;
+    return tbb::parallel_reduce(
+        Range(0, count), 0.0,
+        [&](const Range& range, double largest) {
+            for (std::size_t k = range.begin(); k < range.end(); ++k)
+                largest = std::max(largest, valueOf(k));
+            return largest;
+        },
+        [](double a, double b) { return std::max(a, b); });
+}
 
 } // namespace
 
@@ -190,16 +246,21 @@ Vec3 roundedTo(CoordinateType type, const Vec3& point) {
 
 double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, CoordinateType type,
                          ErrorLevel level, const WorkContext& context) {
-    Measurement measurement(zmap, type, level, context.stop);
-    for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-        if (t % kBatch == 0) {
-            if (context.stopped())
-                break;
-            context.report(static_cast<double>(t) / static_cast<double>(solid.triangles.size()));
-        }
-        measurement.add(solid, solid.triangles[t]);
-    }
-    return measurement.largest();
+    const SolidTop top(zmap, solid, type);
+    const std::size_t triangles = solid.triangles.size();
+    double largest = 0;
+    if (level == ErrorLevel::surface)
+        largest =
+            largestOf(triangles, [&](std::size_t t) { return context.stopped() ? 0 : top.alongEdges(t); });
+    const RowBands bands(top.rows(), triangles, [&](std::size_t t) { return top.rowsOf(t); });
+    Tally tally(context, bands.count());
+    const double atPoints = largestOf(bands.count(), [&](std::size_t band) {
+        const double error = errorOfBand(top, bands, band, context.stop);
+        if (!context.stopped())
+            tally.finished();
+        return error;
+    });
+    return std::max(largest, atPoints);
 }
 
 } // namespace proveout
