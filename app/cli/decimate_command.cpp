@@ -78,7 +78,8 @@ ExitCode run(const DecimateOptions& options) {
         return report.exitCode();
     }
     const StopWatch watch;
-    SurfaceSnapshot result = decimatedWhole(*zmap, parameters);
+    SurfaceSnapshot result =
+        decimatedWhole(*zmap, allowForRounding(parameters, options.meshes.coordinates(), zmap->stock()));
     const double seconds = watch.seconds();
     const MeasuredSurface measured = measure(result, *zmap, parameters);
     std::vector<MeshOutput> written;

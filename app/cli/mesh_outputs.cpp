@@ -45,6 +45,14 @@ Result<void> MeshOutputs::check() const {
     return {};
 }
 
+CoordinateType MeshOutputs::coordinates() const {
+    const auto type = [this](const std::string& file) { return formatOf(file).meshWriter()->coordinates; };
+    const std::vector<std::string> all = files();
+    return std::ranges::any_of(all, [&](const auto& file) { return type(file) == CoordinateType::float32; })
+               ? CoordinateType::float32
+               : CoordinateType::float64;
+}
+
 const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
     const FileFormat* binary = findFormat("stl");
     const FileFormat* format = file == m_stl ? binary : meshFormatOf(file).value(); // check() has succeeded

@@ -35,6 +35,9 @@ public:
     /// Refuses extensions that do not belong to a mesh format.
     [[nodiscard]] Result<void> check() const;
 
+    /// The type of the coordinates of all files: single precision if one of them has it.
+    [[nodiscard]] CoordinateType coordinates() const;
+
     /// Closes a surface with these parameters into a solid, consuming its triangles, and writes every file.
     /// Warnings and errors are added to the report.
     [[nodiscard]] std::vector<MeshOutput> write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,

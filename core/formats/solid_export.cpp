@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/solid_export.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "core/base/figures_argument.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/formats/export_findings.h"
 #include "core/formats/mesh_writing.h"
@@ -37,7 +40,26 @@ Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, doub
     return warning;
 }
 
+/// How far rounding to single precision moves a coordinate between two bounds at most.
+double roundingBetween(double low, double high) {
+    const auto farthest = static_cast<float>(std::max(std::abs(low), std::abs(high)));
+    const float next = std::nextafter(farthest, std::numeric_limits<float>::infinity());
+    return (static_cast<double>(next) - static_cast<double>(farthest)) / 2;
+}
+
 } // namespace
+
+DecimationParameters allowForRounding(DecimationParameters parameters, CoordinateType type,
+                                      const StockBox& stock) {
+    if (type == CoordinateType::float64 || !isBounded(parameters))
+        return parameters;
+    const Vec3& corner = stock.corner; // min X, min Y, top Z
+    const double rounding = roundingBetween(corner.x, corner.x + stock.width) +
+                            roundingBetween(corner.y, corner.y + stock.depth) +
+                            roundingBetween(corner.z - stock.height, corner.z);
+    parameters.allowance = std::max(parameters.allowance - rounding, parameters.allowance / 2);
+    return parameters;
+}
 
 Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
                                   const TriangleMesh& solid, const ZMapSnapshot& zmap, double allowance,

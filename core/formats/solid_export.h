@@ -18,6 +18,11 @@ struct ExportedSolid {
     Diagnostics warnings;
 };
 
+/// The parameters for a surface that is within the allowance in a file with such coordinates: a bounded
+/// method gets the allowance less what rounding adds on slopes of up to 45°, but at least half of it.
+[[nodiscard]] DecimationParameters allowForRounding(DecimationParameters parameters, CoordinateType type,
+                                                    const StockBox& stock);
+
 /// Writes a solid of closeSolid(zmap, …) and measures the contents of the file at the given level. A warning
 /// (id "export-rounded-beyond") reports when the error exceeds the allowance (mm; 0: none was given) because
 /// of the rounding of coordinates rather than the decimation. Any thread. Errors: those of the writer,

@@ -90,8 +90,10 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (Result<void> writable = checkTarget(file, bytes); !writable)
         return tl::unexpected(std::move(writable.error()));
     const DecimationParameters parameters = parametersOf(frame, options);
+    const DecimationParameters rounded =
+        allowForRounding(parameters, (*format)->meshWriter()->coordinates, frame.zmap.stock());
     std::vector<LatticeTriangle> triangles =
-        decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).releaseTriangles();
+        decimatedWhole(frame.zmap, rounded, context.part(0, kDecimated)).releaseTriangles();
     if (context.stopped())
         return cancelled();
     const TriangleMesh solid =
