@@ -8,6 +8,8 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <stop_token>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,7 @@
 #include "core/base/memory.h"
 #include "core/base/memory_watch.h"
 #include "core/base/stop_watch.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "core/formats/stock_file.h"
 #include "core/simulation/records/block_provenance.h"
 #include "core/simulation/records/block_records.h"
@@ -74,13 +77,12 @@ public:
     ExitCode run() {
         if (!prepare() || !simulate())
             return failed();
-        const bool complete = decimate();
-        write();
-        if (!complete)
-            return failed();
+        writeMaps();
         m_options.box.run(*m_program, m_job.setup, m_frame.block, m_report);
         m_seconds.box = lap();
-        m_seconds.total = m_watch.seconds();
+        if (!decimate() || !writeMeshes())
+            return failed();
+        m_seconds.total = m_lapped;
         if (m_options.json)
             printJson(object());
         else
@@ -243,15 +245,27 @@ private:
     bool decimate() {
         if (!m_options.json && !m_options.meshes.wanted())
             return true;
+        return unlessTooLarge([this] { return makeSurface(); });
+    }
+
+    /// The result of `make()`, which is false if the surface needs too much memory; that is reported.
+    template<class Make>
+    bool unlessTooLarge(const Make& make) {
         const double available = availableBytes();
         try {
-            if (makeSurface())
+            if (make())
                 return true;
         } catch (const std::bad_alloc&) {
             m_measured = {};
+        } catch (const std::system_error&) { // no memory for another thread
+            m_measured = {};
         }
+        refuseSurface(available);
+        return false;
+    }
+
+    void refuseSurface(double available) {
         m_surface.reset();
-        m_seconds.decimate += lap();
         const Grid& grid = m_frame.zmap.grid();
         const auto would = finestSpacing(m_job.setup.stock, zmapBytes(grid) + available,
                                          meshBytesPerPoint(scheduled(), mapOutputs()));
@@ -259,7 +273,6 @@ private:
             failure(command_line_finding::kSurfaceNeedsTooMuchMemory,
                     {readableBytes(available), fmt::format("{:g}", would.value_or(m_job.setup.spacing))})
                 .value());
-        return false;
     }
 
     /// What this run may still allocate. (Asking the system again would count the threads twice.)
@@ -269,21 +282,34 @@ private:
 
     /// False if the surface would need more memory than there is.
     bool makeSurface() {
-        const MemoryWatch watch(m_mostBytes);
-        const bool decimated = m_options.mesh == "decimated";
-        m_surface =
-            decimated ? m_simulation->decimatedNow({watch.stop(), {}})
-                      : Surface(m_frame.zmap.grid().nx, m_frame.zmap.grid().ny, m_job.parameters).snapshot();
+        // Whatever the surface looks like, it fits; otherwise it is watched.
+        const bool fits = forecastBytes() <= static_cast<double>(m_limitBytes);
+        std::optional<MemoryWatch> watch;
+        if (!fits)
+            watch.emplace(m_mostBytes);
+        const WorkContext context{watch ? watch->stop() : std::stop_token(), {}};
+        const Grid& grid = m_frame.zmap.grid();
+        m_surface = m_options.mesh == "decimated" ? decimatedSurface(context)
+                                                  : Surface(grid.nx, grid.ny, m_job.parameters).snapshot();
         m_seconds.decimate += lap();
-        const bool known = m_surface->dirtyRegions > 0; // the forecast was exact
-        if (watch.exceeded() || (!known && surfaceBytes(m_surface->faces, mapOutputs()) > availableBytes()))
+        if (!fits &&
+            (watch->exceeded() || surfaceBytes(grid, m_surface->faces, mapOutputs()) > availableBytes()))
             return false;
         m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters);
         m_seconds.evaluate += lap();
         return true;
     }
 
-    void write() {
+    /// Within the allowance in the files too. Otherwise the regions of the simulation are used again.
+    [[nodiscard]] SurfaceSnapshot decimatedSurface(const WorkContext& context) const {
+        const DecimationParameters parameters =
+            allowForRounding(scheduled(), m_options.meshes.coordinates(), m_job.setup.stock);
+        return parameters == scheduled() ? m_simulation->decimatedNow(context)
+                                         : decimatedWhole(m_frame.zmap, forExport(parameters), context);
+    }
+
+    /// The files that need no surface, so that they are written even if there is not enough memory for one.
+    void writeMaps() {
         if (!m_options.zmap.empty())
             fine(writeZMap(m_options.zmap, m_frame.zmap));
         if (!m_options.provenance.empty())
@@ -294,9 +320,19 @@ private:
             fine(writeRecords(m_options.records, m_frame));
         if (!m_options.stock.empty())
             fine(writeStock(m_options.stock, m_frame.zmap, m_job.setup.spacing, provenance()));
-        if (m_options.meshes.wanted() && m_surface)
-            m_written = m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters, m_report);
         m_seconds.write = lap();
+    }
+
+    /// False if there is not enough memory for the solid.
+    bool writeMeshes() {
+        if (!m_options.meshes.wanted())
+            return true;
+        const bool complete = unlessTooLarge([this] {
+            m_written = m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters, m_report);
+            return true;
+        });
+        m_seconds.write += lap();
+        return complete;
     }
 
     [[nodiscard]] nlohmann::ordered_json object() const {
@@ -427,7 +463,8 @@ private:
 
     SimulateOptions& m_options;
     const StopWatch m_watch;
-    const std::uint64_t m_mostBytes = residentMemoryBytes() + memoryLimitBytes(); ///< resident
+    const std::uint64_t m_limitBytes = memoryLimitBytes();
+    const std::uint64_t m_mostBytes = residentMemoryBytes() + m_limitBytes; ///< resident
     Report m_report;
     Job m_job;
     std::shared_ptr<const Program> m_program;

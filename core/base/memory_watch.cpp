@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory_watch.h"
 
-#include <chrono>
 #include <new>
 #include <utility>
 
@@ -9,14 +8,13 @@ namespace proveout {
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetween{10};
 /// What must stay available, for what the work allocates between two looks.
 constexpr std::uint64_t kReserve = 32'000'000;
 
 } // namespace
 
-MemoryWatch::MemoryWatch(std::uint64_t mostBytes, MemorySources sources)
-    : m_most(mostBytes), m_sources(std::move(sources)),
+MemoryWatch::MemoryWatch(std::uint64_t mostBytes, MemorySources sources, std::chrono::milliseconds between)
+    : m_most(mostBytes), m_sources(std::move(sources)), m_between(between),
       m_thread([this](const std::stop_token& end) { watch(end); }) {}
 
 MemoryWatch::~MemoryWatch() = default;
@@ -28,7 +26,7 @@ void MemoryWatch::watch(const std::stop_token& end) {
             m_work.request_stop();
             return;
         }
-        m_ended.wait_for(lock, end, kBetween, [] { return false; });
+        m_ended.wait_for(lock, end, m_between, [] { return false; });
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -17,7 +18,8 @@ namespace proveout {
 class MemoryWatch {
 public:
     /// `mostBytes`: the resident size that the process may reach; less if the machine has less available.
-    explicit MemoryWatch(std::uint64_t mostBytes, MemorySources sources = {});
+    explicit MemoryWatch(std::uint64_t mostBytes, MemorySources sources = {},
+                         std::chrono::milliseconds between = kUsuallyBetween);
     ~MemoryWatch();
     MemoryWatch(const MemoryWatch&) = delete;
     MemoryWatch& operator=(const MemoryWatch&) = delete;
@@ -27,11 +29,14 @@ public:
     [[nodiscard]] bool exceeded() const { return m_work.stop_requested(); }
 
 private:
+    static constexpr std::chrono::milliseconds kUsuallyBetween{10};
+
     void watch(const std::stop_token& end);
     [[nodiscard]] bool isTooMuch() const;
 
     std::uint64_t m_most;
     MemorySources m_sources;
+    std::chrono::milliseconds m_between; ///< two looks
     std::stop_source m_work;
     std::mutex m_mutex;
     std::condition_variable_any m_ended;

@@ -85,9 +85,11 @@ double mapBytes(const Grid& grid, const DecimationParameters& parameters, const 
     return zmapBytes(grid) + pointsOf(grid) * meshBytesPerPoint(parameters, outputs);
 }
 
-double surfaceBytes(std::size_t faces, const MapOutputs& outputs) {
+double surfaceBytes(const Grid& grid, std::size_t faces, const MapOutputs& outputs) {
     constexpr double kFacesPerPoint = 2; // without decimation
-    return static_cast<double>(faces) / kFacesPerPoint * (outputs.solid ? kSolid : kMeasured);
+    constexpr double kNumbers = 4.2;     // per point: its vertex of the solid, and whether it is at a hole
+    const double perFace = (outputs.solid ? kSolid : kMeasured) / kFacesPerPoint;
+    return static_cast<double>(faces) * perFace + (outputs.solid ? kNumbers * pointsOf(grid) : 0);
 }
 
 double expectedMapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {

@@ -26,8 +26,9 @@ struct MapOutputs {
 /// surface comes down to the floor everywhere.
 [[nodiscard]] double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
 
-/// Bytes for measuring a surface of so many triangles and, if a solid is wanted, closing it.
-[[nodiscard]] double surfaceBytes(std::size_t faces, const MapOutputs& outputs);
+/// Bytes for measuring a surface that exists already, of so many triangles, and, if a solid is wanted,
+/// closing it.
+[[nodiscard]] double surfaceBytes(const Grid& grid, std::size_t faces, const MapOutputs& outputs);
 
 /// The same for the meshes that remain once everything is made.
 [[nodiscard]] double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);

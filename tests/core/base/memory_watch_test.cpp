@@ -35,11 +35,10 @@ TEST(MemoryWatch, StopsWorkThatTakesMoreThanItMay) {
     EXPECT_TRUE(watch.stop().stop_requested());
 }
 
-TEST(MemoryWatch, EndsAtOnceIfNothingHappens) {
+TEST(MemoryWatch, EndsWithoutWaitingForItsNextLook) {
     const auto begin = std::chrono::steady_clock::now();
-    for (int k = 0; k < 20; ++k)
-        const MemoryWatch watch(residentMemoryBytes() + 1000 * kMegabyte);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+    { const MemoryWatch watch(residentMemoryBytes() + 1000 * kMegabyte, {}, 1h); }
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 60s);
 }
 
 } // namespace
