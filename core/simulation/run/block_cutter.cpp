@@ -201,6 +201,8 @@ private:
     }
 
     bool cutWaiting() {
+        if (m_waiting.empty())
+            return true;
         const auto records = cut(m_zmap, m_waiting, m_stop);
         if (!records)
             return false;

@@ -14,7 +14,9 @@ constexpr std::size_t kCheckpointsOfProgram = 64;
 constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which is cut at once anyway
 /// Time of a portion without checkpoints: a stop may wait for it.
 constexpr double kLongestSeconds = 0.08;
-constexpr std::size_t kFirstPortion = 16;
+constexpr std::size_t kFirstPortion = 1; // a stop of blocks that take long loses one
+/// A record for each motion is kept until the portion is done: 8 MB.
+constexpr std::size_t kMostMotions = 32'768;
 /// A block with more motions, e.g. a drilling cycle, is cut alone: a stop must not lose the blocks before it.
 constexpr std::size_t kMotionsOfLongBlock = 1000;
 
@@ -26,14 +28,15 @@ std::size_t checkpointBlocks(const Program& program) {
 
 Portions::Portions(const Program& program, bool remembers)
     : m_program(program), m_longest(remembers ? kCheckpointSeconds : kLongestSeconds),
-      m_largest(std::max(remembers ? checkpointBlocks(program) : program.blockCount(), kFirstPortion)),
+      m_largest(std::max(remembers ? checkpointBlocks(program) / 2 : program.blockCount(), kFirstPortion)),
       m_blocks(kFirstPortion) {}
 
 std::size_t Portions::from(std::size_t first, std::size_t end) const {
     const std::size_t most = std::min(m_blocks, end - first);
+    const std::size_t begin = m_program.blockMotions(first).first;
     for (std::size_t count = 0; count < most; ++count) {
         const auto motions = m_program.blockMotions(first + count);
-        if (motions.last - motions.first > kMotionsOfLongBlock)
+        if (motions.last - motions.first > kMotionsOfLongBlock || motions.last - begin > kMostMotions)
             return std::max<std::size_t>(count, 1);
     }
     return most;

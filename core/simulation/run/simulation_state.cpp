@@ -256,7 +256,7 @@ void Simulation::State::play(std::size_t block, const WorkContext& context) {
         if (stock.block != next)
             seek(next, context.quiet());
         if (stock.block == next)
-            step(context);
+            step(context.quiet());
         context.report(static_cast<double>(next) / static_cast<double>(block));
     }
     if (!context.stopped())

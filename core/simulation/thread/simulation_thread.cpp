@@ -211,16 +211,18 @@ struct SimulationThread::State {
         bool cut = false;
         {
             ProgressReporter reporter(listener.progress);
-            const WorkContext context{queue.beginWork(patient),
+            // Seeks and steps must not wait for the measurement of a whole program.
+            const WorkContext context{queue.beginWork(patient && !measures),
                                       [&reporter](double done) { reporter.report(done); }};
             const std::size_t wanted =
                 std::min(goal.value_or(simulation->position()), simulation->blockCount());
-            if (measures && goal)
+            const bool measured = measures && goal;
+            if (measured)
                 simulation->play(wanted, context);
             else
                 simulation->seek(wanted, context);
             cut = context.stopped();
-            if (simulation->position() == wanted)
+            if (simulation->position() == wanted && !(measured && cut)) // it may pass there on its way
                 goal.reset();
         }
         patient = cut;

@@ -84,6 +84,13 @@ TEST(Edit, ContinuesLikeAFreshRun) {
         const Frame frame = simulation->frame();
         ASSERT_EQ(difference(frame, fresh.back()), "");
         EXPECT_EQ(sentences(frame.findings), sentences(fresh.back().findings));
+        for (std::size_t row = 0; row < frame.statistics.size(); ++row) {
+            const BlockStatistics& wanted = fresh.back().statistics[row];
+            EXPECT_EQ(frame.statistics[row].removedMm3, wanted.removedMm3) << "row " << row;
+            EXPECT_EQ(frame.statistics[row].maxDepth, wanted.maxDepth) << "row " << row;
+            EXPECT_EQ(frame.statistics[row].radialEngagement, wanted.radialEngagement) << "row " << row;
+            EXPECT_EQ(frame.statistics[row].facesFull, wanted.facesFull) << "row " << row;
+        }
         simulation->play(simulation->blockCount());
         const auto& rows = simulation->rows();
         ASSERT_EQ(rows.size(), fresh.back().statistics.size());

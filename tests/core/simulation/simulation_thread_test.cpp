@@ -175,6 +175,24 @@ TEST(SimulationThread, MeasuresEveryBlockIfAskedTo) {
     }
 }
 
+/// Work that follows interrupted work is not stopped by seeks; a measurement would then take minutes.
+TEST(SimulationThread, ASeekDoesNotWaitForAMeasurement) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(29, 100'000)), smallSetup(0.05), bySchedule(), 1});
+    ASSERT_NE(listening.waitFor([](const Frame& shown) { return shown.surface.dirtyRegions == 0; }), nullptr);
+    for (const bool measured : {false, true}) {
+        listening.forget();
+        thread.post(SeekCommand{100'000, measured ? 2U : 1U, measured});
+        ASSERT_TRUE(listening.waitForProgress());
+    }
+    thread.post(SeekCommand{10, 3});
+    const auto frame =
+        listening.waitFor([](const Frame& shown) { return shown.block == 10 && shown.seekOver == 3; });
+    ASSERT_NE(frame, nullptr);
+    EXPECT_FALSE(frame->statistics[frame->statistics.size() - 2].isPlayed()) << "it was measured to the end";
+}
+
 TEST(SimulationThread, PlaysToTheEndAndStops) {
     const auto program = programOf(randomProgram(22, 200));
     const auto straight = straightRun(program, smallSetup(), bySchedule());
