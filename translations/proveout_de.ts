@@ -8948,8 +8948,8 @@ Keep Both saves your version as a new file in the same folder.</source>
         <translation>Ganzes Programm &amp;messen</translation>
     </message>
     <message>
-        <source>Execute every block to the end and measure its triangles and times for the plots</source>
-        <translation>Jeden Satz bis zum Ende ausführen und Dreiecke und Zeiten für die Diagramme messen</translation>
+        <source>Execute each block that was not played yet, and measure its triangles and times for the plots</source>
+        <translation>Jeden noch nicht abgespielten Satz ausführen und seine Dreiecke und Zeiten für die Diagramme messen</translation>
     </message>
     <message>
         <source>Execute the next 10 blocks</source>

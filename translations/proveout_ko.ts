@@ -8947,8 +8947,8 @@ Keep Both saves your version as a new file in the same folder.</source>
         <translation>전체 프로그램 측정(&amp;M)</translation>
     </message>
     <message>
-        <source>Execute every block to the end and measure its triangles and times for the plots</source>
-        <translation>끝까지 모든 블록을 실행하여 그래프에 쓸 삼각형 수와 시간을 측정합니다</translation>
+        <source>Execute each block that was not played yet, and measure its triangles and times for the plots</source>
+        <translation>아직 재생하지 않은 블록을 모두 실행하여 그래프에 쓸 삼각형 수와 시간을 측정합니다</translation>
     </message>
     <message>
         <source>Execute the next 10 blocks</source>

@@ -18,6 +18,7 @@ constexpr int kLimitMs = 180'000;
 constexpr int kFailed = 3;
 constexpr int kSmallestFile = 0; ///< the "quality" of a PNG: 0 is the strongest compression
 const QString kView = QStringLiteral("view");
+const QString kPlots = QStringLiteral("plots");
 } // namespace
 
 ScreenshotRun::ScreenshotRun(MainWindow& window, const ScreenshotRequest& request)
@@ -67,7 +68,10 @@ void ScreenshotRun::look(const FramePtr& frame) {
         std::min(m_request.block.value_or(session.program().blockCount()), session.program().blockCount());
     if (!m_sought) {
         m_sought = true;
-        session.playback().seek(wanted);
+        if (m_request.panel == kPlots && wanted == session.program().blockCount())
+            session.playback().measure(); // otherwise there would be nothing in some of them
+        else
+            session.playback().seek(wanted);
     }
     if (frame->block == wanted)
         m_settle.start();

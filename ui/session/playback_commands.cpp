@@ -76,8 +76,9 @@ const std::array<Command<Session>, 18> kCommands{{
      [](Session& session) { changeSpeed(session, 1); }},
     separator<Session>(),
     {"measure", QT_TRANSLATE_NOOP("SimulateCommands", "&Measure Whole Program"),
-     QT_TRANSLATE_NOOP("SimulateCommands",
-                       "Execute every block to the end and measure its triangles and times for the plots"),
+     QT_TRANSLATE_NOOP(
+         "SimulateCommands",
+         "Execute each block that was not played yet, and measure its triangles and times for the plots"),
      "", kMeasureKey, Reach::window, [](Session& session) { session.playback().measure(); }},
 }};
 

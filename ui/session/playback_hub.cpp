@@ -56,8 +56,10 @@ void PlaybackHub::simulate(bool more) {
     else if (!more)
         continueWithEdit();
     else {
-        // The program was extended: the target block stays the same.
+        // The program was extended: the target block stays the same, unless all of it is measured.
         m_simulation.edit();
+        if (m_simulation.isMeasuring())
+            m_simulation.seek(m_program.blockCount(), true);
         if (m_state.playing)
             postPlay();
     }
@@ -68,9 +70,10 @@ void PlaybackHub::continueWithEdit() {
     // again.
     const bool atEnd = m_simulation.target() == m_simulation.frame()->program->blockCount();
     const std::size_t block = atEnd ? m_program.blockCount() : m_simulation.target();
+    const bool measuring = m_simulation.isMeasuring();
     m_simulation.edit();
     if (!m_state.playing)
-        m_simulation.seek(block);
+        m_simulation.seek(block, measuring);
 }
 
 void PlaybackHub::load() {

@@ -46,9 +46,9 @@ public:
     void play();
     void pause();
     void togglePlay();
-    void step(std::ptrdiff_t blocks);     ///< pauses
-    void seek(std::size_t block);         ///< playback continues if it was running
-    void measure();                       ///< executes and measures every block to the end; pauses
+    void step(std::ptrdiff_t blocks); ///< pauses
+    void seek(std::size_t block);     ///< playback continues if it was running
+    void measure(); ///< executes and measures every block not played yet, to the end; pauses
     void stepToToolChange(int direction); ///< -1: the previous one, +1: the next one; pauses
     void seekToLine(std::uint32_t line);  ///< the state after source line `line`, 1-based
     void setSpeed(double unitsPerSecond, bool everyBlock = false);

@@ -50,7 +50,7 @@ void SimulationHub::load() {
     // A seek from before the load was dropped, so it is sent again; otherwise its target would never be
     // reached.
     if (m_sought || block() > 0)
-        seek(target());
+        seek(target(), isMeasuring());
 }
 
 void SimulationHub::edit() {
@@ -103,14 +103,14 @@ void SimulationHub::seek(std::size_t block, bool measured) {
 
 /// A load clears the target of the simulation, so it is stored here until it is reached.
 SeekCommand SimulationHub::seekTo(std::size_t block, bool measured) {
-    m_sought = {std::min(block, m_program.blockCount()), ++m_ticket};
+    m_sought = {std::min(block, m_program.blockCount()), ++m_ticket, measured};
     return {m_sought->block, m_ticket, measured};
 }
 
 void SimulationHub::step(std::ptrdiff_t blocks) {
     const auto last = static_cast<std::ptrdiff_t>(m_program.blockCount());
     const auto from = std::min(static_cast<std::ptrdiff_t>(target()), last);
-    m_sought = {static_cast<std::size_t>(from + std::clamp(blocks, -from, last - from)), ++m_ticket};
+    m_sought = {static_cast<std::size_t>(from + std::clamp(blocks, -from, last - from)), ++m_ticket, false};
     // The command pauses by itself; a PauseCommand before it would drop pending steps.
     post(StepCommand{blocks, m_ticket});
 }

@@ -55,6 +55,8 @@ public:
     void refuse(const Diagnostics& errors);
     /// Call it for another document.
     void reset();
+    /// Whether every block on the way to target() is measured.
+    [[nodiscard]] bool isMeasuring() const { return m_sought && m_sought->measured; }
     /// `measured`: every block on the way is measured.
     void seek(std::size_t block, bool measured = false);
     /// Relative to target(); pauses.
@@ -95,6 +97,7 @@ private:
     struct Sought {
         std::size_t block = 0;
         std::uint64_t ticket = 0;
+        bool measured = false;
     };
     std::optional<Sought> m_sought;
     std::uint64_t m_ticket = 0;
