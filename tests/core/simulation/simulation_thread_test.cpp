@@ -523,11 +523,12 @@ TEST(SimulationThread, SurvivesAStormOfCommands) {
     }
     parameters = {};
     const auto& last = programs[1];
+    // Before the commands: once they are done, the picture at rest follows soon.
+    const auto straight = straightRun(last, smallSetup(), parameters);
     thread.post(PauseCommand{});
     thread.post(ParametersCommand{parameters});
     thread.post(EditCommand{last, ++generation});
     thread.post(SeekCommand{123});
-    const auto straight = straightRun(last, smallSetup(), parameters);
     const auto frame = listening.waitFor([&](const Frame& shown) {
         return shown.generation == generation && shown.block == 123 &&
                difference(shown, straight[123]).empty();
