@@ -2,7 +2,9 @@
 #include "ui/plots/plot_changes.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 #include "ui/program/frame_log.h"
@@ -13,7 +15,8 @@ namespace {
 /// Bit for bit, because a value that was not measured, a NaN, equals itself here.
 template<class Row>
 bool same(const Row& a, const Row& b) {
-    return std::memcmp(&a, &b, sizeof(Row)) == 0;
+    using Bits = std::array<std::uint32_t, sizeof(Row) / sizeof(std::uint32_t)>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 template<class Rows>
