@@ -35,7 +35,7 @@ void PlotHint::setIncomplete(bool incomplete) {
 
 void PlotHint::update() {
     constexpr double kMiddle = 0.5;
-    constexpr double kLow = 0.8; // most curves start at 0, but few stay there
+    constexpr double kLow = 0.6; // most curves start at 0, but few stay there
     m_text->setVisible(m_empty || m_incomplete);
     m_text->position->setCoords(kMiddle, m_empty ? kMiddle : kLow);
     const QString key = QKeySequence(QLatin1String(kMeasureKey)).toString(QKeySequence::NativeText);
