@@ -7,37 +7,18 @@
 #include <string>
 
 #include "tests/app/memory_cases.h"
+#include "tests/bench/bench_folder.h"
 
 namespace {
 
 constexpr double kMegabyte = 1e6;
-
-/// A temporary folder, removed with its files.
-class Folder {
-public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "proveout-memory-XXXXXX").string();
-        m_path = ::mkdtemp(name.data());
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(m_path, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
-
-private:
-    std::filesystem::path m_path;
-};
 
 } // namespace
 
 int main(int argc, char** argv) {
     using namespace proveout;
     const std::filesystem::path program = std::filesystem::absolute(argc > 1 ? argv[1] : PROVEOUT_CLI);
-    const Folder folder;
+    const bench::BenchFolder folder;
     writeMemoryInputs(folder.path());
     const double smallest = smallestPeakBytes(program, folder.path());
     fmt::print("a small map: {:.0f} MB, which the peaks are without\n\n", smallest / kMegabyte);

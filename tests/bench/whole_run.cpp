@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -24,6 +23,7 @@
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/simulation.h"
 #include "tests/app/measured_run.h"
+#include "tests/bench/bench_folder.h"
 #include "tests/bench/workloads.h"
 
 namespace proveout::bench {
@@ -47,26 +47,6 @@ constexpr Case kCases[]{
     {"panel", 1, Output::none, 1},    {"panel", 1, Output::none, 2},     {"panel", 1, Output::solid, 2},
     {"panel", 0.25, Output::none, 2}, {"panel", 0.25, Output::solid, 2}, {"panel", 0.1, Output::none, 1},
     {"panel", 0.1, Output::none, 2},
-};
-
-/// A folder that is removed with everything in it.
-class Folder {
-public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "proveout-whole-XXXXXX").string();
-        m_path = ::mkdtemp(name.data());
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(m_path, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
-
-private:
-    std::filesystem::path m_path;
 };
 
 std::string toolOf(const Workload& workload) {
@@ -156,7 +136,7 @@ const Value& medianOf(std::vector<Value>& values, Order by) {
 
 /// Product and kernels alternate, so that other load on the machine slows both.
 bool measure(const Case& one, const Workload& workload, int runs) {
-    const Folder folder;
+    const BenchFolder folder;
     const std::string text = programOf(workload);
     std::ofstream(folder.path() / fmt::format("{}.nc", workload.name), std::ios::binary) << text;
     std::vector<MeasuredRun> products;
