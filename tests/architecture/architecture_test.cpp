@@ -118,6 +118,14 @@ TEST(Architecture, OpenGlStaysInGlAndTheViewport) {
     });
 }
 
+/// ThreadSanitizer would not understand loops elsewhere: core/base/parallel.h.
+TEST(Architecture, ParallelLoopsStayInBase) {
+    forbid([](const SourceFile& file, const Include& include) {
+        return include.target.find("tbb/parallel_") != std::string::npos &&
+               file.path != "core/base/parallel.cpp";
+    });
+}
+
 TEST(Architecture, CgalStaysInTheTests) {
     forbid([](const SourceFile&, const Include& include) { return isOf(include, "CGAL"); });
 }

@@ -2,10 +2,10 @@
 // Cuts one motion into the z-map: finds the tiles that it may lower, then lowers each of them.
 #include <algorithm>
 #include <cmath>
-#include <oneapi/tbb/parallel_for.h>
 #include <optional>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/lower_tile.h"
 #include "core/cutting/cut/sweep.h"
@@ -56,8 +56,7 @@ CutRecord collect(ZMap& zmap, const std::vector<std::size_t>& tiles, std::vector
 std::vector<DoneTile> lowerAtOnce(ZMap& zmap, const std::vector<std::size_t>& tiles,
                                   const PreparedSweep& prepared, const std::stop_token& stop) {
     std::vector<DoneTile> done(tiles.size());
-    tbb::parallel_for(std::size_t{0}, tiles.size(),
-                      [&](std::size_t k) { done[k] = lowerBy(prepared, zmap, tiles[k], stop); });
+    inParallel(tiles.size(), [&](std::size_t k) { done[k] = lowerBy(prepared, zmap, tiles[k], stop); });
     return done;
 }
 

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/cutting/cut/cut_part.h"
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/lower_tile.h"
@@ -85,9 +84,9 @@ private:
     bool lowerTiles(ZMap& zmap, const std::stop_token& stop, const LowerTile& lowerOne) {
         std::vector<TileCut> done(m_tiles.size());
         std::atomic<bool> complete = true;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, m_tiles.size()), [&](const auto& range) {
+        inParallelRanges(m_tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
             PassTable table;
-            for (std::size_t k = range.begin(); k != range.end() && complete; ++k) {
+            for (std::size_t k = begin; k < end && complete; ++k) {
                 done[k] = lowerOne(k, table);
                 if (!done[k].complete || stop.stop_requested())
                     complete = false;
@@ -103,11 +102,10 @@ private:
     /// Places motions after those that are placed already.
     void placeAll(const ZMap& zmap, std::span<const CutterMotion> motions) {
         constexpr std::size_t kWorthATask = 16;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, motions.size(), kWorthATask),
-                          [&](const auto& range) {
-                              for (std::size_t k = range.begin(); k != range.end(); ++k)
-                                  place(zmap, motions[k], m_count + k);
-                          });
+        inParallelRanges(motions.size(), kWorthATask, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                place(zmap, motions[k], m_count + k);
+        });
     }
 
     /// A motion that cuts nothing has no tiles.

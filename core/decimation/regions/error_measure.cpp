@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/regions/error_measure.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/decimation/regions/canonical_surface.h"
 #include "core/decimation/regions/row_bands.h"
 
@@ -142,16 +141,11 @@ VerticalError measureVerticalError(const ZMapSnapshot& zmap, const IndexRect& re
         const auto& [a, b, c] = triangles[t];
         return RowBands::Rows{std::min({a, b, c}) / nx, std::max({a, b, c}) / nx};
     });
-    using Range = tbb::blocked_range<std::size_t>;
-    constexpr std::size_t kBandsOfTask = 1;
-    return tbb::parallel_reduce(
-        Range(0, bands.count(), kBandsOfTask), VerticalError(),
-        [&](const Range& range, VerticalError error) {
-            for (std::size_t band = range.begin(); band < range.end(); ++band)
-                error = sumOf(error, errorOfBand(zmap, inside, bands, band, triangles, allowance));
-            return error;
-        },
-        sumOf);
+    std::vector<VerticalError> errors(bands.count());
+    inParallel(errors.size(), [&](std::size_t band) {
+        errors[band] = errorOfBand(zmap, inside, bands, band, triangles, allowance);
+    });
+    return std::accumulate(errors.begin(), errors.end(), VerticalError(), sumOf);
 }
 
 double measureSurfaceError(const ZMapSnapshot& zmap, std::span<const LatticeTriangle> triangles) {
@@ -163,17 +157,13 @@ double measureSurfaceError(const ZMapSnapshot& zmap, std::span<const LatticeTria
         const auto j = static_cast<int>(lattice / nx);
         return Vec3(i, j, static_cast<double>(zmap.height(i, j)));
     };
-    using Range = tbb::blocked_range<std::size_t>;
-    const double alongEdges = tbb::parallel_reduce(
-        Range(0, triangles.size()), 0.0,
-        [&](const Range& range, double largest) {
-            for (std::size_t t = range.begin(); t < range.end(); ++t)
-                for (std::size_t k = 0; k < 3; ++k)
-                    largest = std::max(largest, full.distanceAlong(corner(triangles[t][k]),
-                                                                   corner(triangles[t][(k + 1) % 3])));
-            return largest;
-        },
-        [](double a, double b) { return std::max(a, b); });
+    const double alongEdges = largestInParallel(triangles.size(), [&](std::size_t t) {
+        double largest = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            largest = std::max(
+                largest, full.distanceAlong(corner(triangles[t][k]), corner(triangles[t][(k + 1) % 3])));
+        return largest;
+    });
     return std::max(alongEdges, measureVerticalError(zmap, all, triangles, 0).largest);
 }
 

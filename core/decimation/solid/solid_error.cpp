@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/solid/solid_error.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/decimation/regions/canonical_surface.h"
 #include "core/decimation/regions/row_bands.h"
 #include "core/decimation/surface/tally.h"
@@ -223,20 +221,6 @@ double errorOfBand(const SolidTop& top, const RowBands& bands, std::size_t band,
     return largest;
 }
 
-/// The largest of `valueOf(k)` for all k below `count`, by several threads.
-template<class ValueOf>
-double largestOf(std::size_t count, const ValueOf& valueOf) {
-    using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(
-        Range(0, count), 0.0,
-        [&](const Range& range, double largest) {
-            for (std::size_t k = range.begin(); k < range.end(); ++k)
-                largest = std::max(largest, valueOf(k));
-            return largest;
-        },
-        [](double a, double b) { return std::max(a, b); });
-}
-
 } // namespace
 
 Vec3 roundedTo(CoordinateType type, const Vec3& point) {
@@ -250,11 +234,11 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
     const std::size_t triangles = solid.triangles.size();
     double largest = 0;
     if (level == ErrorLevel::surface)
-        largest =
-            largestOf(triangles, [&](std::size_t t) { return context.stopped() ? 0 : top.alongEdges(t); });
+        largest = largestInParallel(triangles,
+                                    [&](std::size_t t) { return context.stopped() ? 0 : top.alongEdges(t); });
     const RowBands bands(top.rows(), triangles, [&](std::size_t t) { return top.rowsOf(t); });
     Tally tally(context, bands.count());
-    const double atPoints = largestOf(bands.count(), [&](std::size_t band) {
+    const double atPoints = largestInParallel(bands.count(), [&](std::size_t band) {
         const double error = errorOfBand(top, bands, band, context.stop);
         if (!context.stopped())
             tally.finished();

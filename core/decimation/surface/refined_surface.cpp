@@ -2,12 +2,12 @@
 #include "core/decimation/surface/refined_surface.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "core/base/memory.h"
+#include "core/base/parallel.h"
 #include "core/decimation/surface/region_merge.h"
 #include "core/decimation/surface/tally.h"
 
@@ -155,7 +155,7 @@ bool RefinedSurface::mergeLayer(std::size_t index, const ZMapSnapshot& moment, c
     std::vector<RegionMeshPtr> meshes(changed.size());
     tbb::enumerable_thread_specific<Worker> workers;
     Tally tally(context, changed.size());
-    tbb::parallel_for(std::size_t{0}, changed.size(), [&](std::size_t k) {
+    inParallel(changed.size(), [&](std::size_t k) {
         if (context.stopped())
             return;
         meshes[k] = merged(layer, changed[k], moment, workers.local(), context.stop);

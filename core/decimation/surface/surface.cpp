@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/surface/surface.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include "core/base/memory.h"
+#include "core/base/parallel.h"
 #include "core/decimation/regions/random_order.h"
 #include "core/decimation/surface/decimator_pool.h"
 #include "core/decimation/surface/tally.h"
@@ -151,7 +150,7 @@ std::vector<RegionMeshPtr> Surface::decimateBatch(std::span<const std::size_t> r
                                                   const WorkContext& context) const {
     std::vector<RegionMeshPtr> meshes(regions.size());
     Tally tally(context, regions.size());
-    tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t k) {
+    inParallel(regions.size(), [&](std::size_t k) {
         if (context.stopped())
             return;
         RegionMeshPtr mesh = decimated(regions[k], moment, context.stop);
@@ -218,7 +217,7 @@ void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMa
     missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
 
     std::vector<BorderLinePtr> lines(missing.size());
-    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t k) {
+    inParallel(missing.size(), [&](std::size_t k) {
         if (context.stopped())
             return;
         const IndexRect rect = grid().borderPoints(missing[k]);

@@ -53,7 +53,7 @@ TEST(Threads, ChangeNothing) {
     }
 }
 
-/// Plain threads, which ThreadSanitizer can check; reports from inside oneTBB are suppressed there.
+/// Threads of its own, which use nothing of oneTBB.
 TileCut lowerAlone(ZMap& zmap, std::size_t tile, const PreparedSweep& prepared) {
     const std::uint32_t first = 0;
     CutRecord record;

@@ -180,7 +180,7 @@ TEST(LeeDecimator, givesNoMeshOnceStopped) {
               LeeDecimator().decimate(grid, samples, {}, 9, {}).triangles);
 }
 
-/// Plain threads, which ThreadSanitizer can check; reports from inside oneTBB are suppressed there.
+/// Threads of its own, which use nothing of oneTBB.
 TEST(LeeDecimator, ofOneThreadSharesNothingWithThatOfAnother) {
     const Heights heights = test::mapKind("spheres").make(65, 65, 0.5, 2);
     const ZMapSnapshot zmap = test::zmapOf(65, 65, 0.5, heights);

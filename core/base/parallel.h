@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loops on several threads. All parallel loops of the core go through here, because ThreadSanitizer does not
+// see the synchronisation of oneTBB: parallel.cpp tells it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace proveout {
+
+namespace parallel_detail {
+using Work = void (*)(const void* body, std::size_t first, std::size_t last);
+void run(std::size_t count, std::size_t grain, Work work, const void* body);
+} // namespace parallel_detail
+
+/// Calls `body(first, last)` for ranges that together are [0, count), several at once, and returns when all
+/// have returned. A range has at least `grain` numbers, unless there are no more. What was written before the
+/// call is seen by each of them, and what they write is seen after it. An exception of the body is thrown
+/// again here; other ranges may not have been called then.
+template<class Body>
+void inParallelRanges(std::size_t count, std::size_t grain, const Body& body) {
+    parallel_detail::run(
+        count, grain,
+        [](const void* work, std::size_t first, std::size_t last) {
+            (*static_cast<const Body*>(work))(first, last);
+        },
+        &body);
+}
+
+/// The same with `body(k)` for each k below `count`.
+template<class Body>
+void inParallel(std::size_t count, const Body& body) {
+    inParallelRanges(count, 1, [&body](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k)
+            body(k);
+    });
+}
+
+/// The largest of `valueOf(k)` for all k below `count`; at least 0. Values are cheap: many are one task.
+template<class ValueOf>
+double largestInParallel(std::size_t count, const ValueOf& valueOf) {
+    constexpr std::size_t kValuesOfTask = 256;
+    std::vector<double> largest((count + kValuesOfTask - 1) / kValuesOfTask, 0.0);
+    inParallel(largest.size(), [&](std::size_t task) {
+        const std::size_t first = task * kValuesOfTask;
+        for (std::size_t k = first; k < std::min(first + kValuesOfTask, count); ++k)
+            largest[task] = std::max<double>(largest[task], valueOf(k));
+    });
+    return largest.empty() ? 0 : *std::ranges::max_element(largest);
+}
+
+} // namespace proveout
