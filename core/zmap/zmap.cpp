@@ -2,28 +2,36 @@
 #include "core/zmap/zmap.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace proveout {
 
 namespace {
 
 /// Points of the tile that are in the grid are uncut; those outside hold the floor.
-void fillUncut(Tile& tile, const IndexRect& rect, float floor) {
-    tile.heights.fill(floor);
-    for (int j = 0; j < rect.height(); ++j)
-        std::fill_n(&tile.at(0, j), rect.width(), 0.0F);
-    tile.maximum = 0;
+std::shared_ptr<const Tile> uncutTile(int width, int height, float floor) {
+    auto tile = std::make_shared<Tile>();
+    tile->heights.fill(floor);
+    for (int j = 0; j < height; ++j)
+        std::fill_n(&tile->at(0, j), width, 0.0F);
+    tile->maximum = 0;
+    return tile;
 }
 
 } // namespace
 
 ZMap::ZMap(const StockBox& stock, const Grid& grid) : m_stock(stock), m_grid(grid) {
     const std::size_t count = static_cast<std::size_t>(tilesX()) * static_cast<std::size_t>(tilesY());
-    m_writtenIn.assign(count, m_generation);
+    m_writtenIn.assign(count, 0);
+    // One tile for all that are alike, which takes memory only where it is cut.
+    std::map<std::pair<int, int>, std::shared_ptr<const Tile>> uncut;
     for (std::size_t index = 0; index < count; ++index) {
-        auto tile = std::make_shared<Tile>();
-        fillUncut(*tile, tileRect(index), floor());
-        m_tiles.push_back(std::move(tile));
+        const IndexRect rect = tileRect(index);
+        std::shared_ptr<const Tile>& tile = uncut[{rect.width(), rect.height()}];
+        if (!tile)
+            tile = uncutTile(rect.width(), rect.height(), floor());
+        m_tiles.push_back(tile);
     }
 }
 

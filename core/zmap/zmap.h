@@ -85,7 +85,7 @@ public:
     ZMap& operator=(const ZMap&) = delete;
     ZMap& operator=(ZMap&&) noexcept = default;
     ~ZMap() = default;
-    /// Uncut stock. Allocates memory; ask checkMemory() first.
+    /// Uncut stock. Each tile that is written then takes memory of its own; ask checkMemory() first.
     ZMap(const StockBox& stock, const Grid& grid);
     /// Continues from a snapshot.
     explicit ZMap(const ZMapSnapshot& moment);

@@ -54,9 +54,12 @@ Checkpoints::Tiles Checkpoints::keep(const ZMapSnapshot& zmap, std::size_t index
     for (std::size_t tile = 0; tile < zmap.tileCount(); ++tile) {
         if (before != nullptr && (*before)[tile]->isCopyOf(zmap.tile(tile)))
             continue;
-        tiles.edit(tile) = after != nullptr && (*after)[tile]->isCopyOf(zmap.tile(tile))
-                               ? (*after)[tile]
-                               : std::make_shared<KeptTile>(zmap.tile(tile));
+        if (after != nullptr && (*after)[tile]->isCopyOf(zmap.tile(tile)))
+            tiles.edit(tile) = (*after)[tile];
+        else if (tile > 0 && tiles[tile - 1]->isCopyOf(zmap.tile(tile))) // uncut tiles are one
+            tiles.edit(tile) = tiles[tile - 1];
+        else
+            tiles.edit(tile) = std::make_shared<KeptTile>(zmap.tile(tile));
     }
     return tiles;
 }
@@ -100,7 +103,9 @@ void Checkpoints::recount(std::size_t index) {
     // The array of pointers is shared by chunks; counting it fully errs on the safe side.
     kept.bytes = kept.tiles.size() * sizeof(std::shared_ptr<KeptTile>);
     for (std::size_t tile = 0; tile < kept.tiles.size(); ++tile) {
-        if (index == 0 || m_kept[index - 1].tiles[tile] != kept.tiles[tile])
+        const bool shared = (index > 0 && m_kept[index - 1].tiles[tile] == kept.tiles[tile]) ||
+                            (tile > 0 && kept.tiles[tile - 1] == kept.tiles[tile]);
+        if (!shared)
             kept.bytes += kept.tiles[tile]->bytes() + (kept.tiles[tile]->isPacked() ? sizeof(KeptTile) : 0);
     }
     m_bytes += kept.bytes;

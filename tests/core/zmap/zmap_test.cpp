@@ -44,6 +44,10 @@ TEST(ZMap, BeginsUncutWithTheFloorOutside) {
 
 TEST(ZMap, CutsOnlyWhatNoMomentHolds) {
     ZMap zmap = freshMap();
+    EXPECT_EQ(&zmap.tile(0), &zmap.tile(1)) << "uncut tiles are one";
+    write(zmap, 2, 3, -1);
+    EXPECT_NE(&zmap.tile(0), &zmap.tile(1));
+    EXPECT_EQ(zmap.tile(1).at(2, 3), 0.0F);
     const Tile* before = &zmap.tile(0);
     write(zmap, 3, 3, -1);
     EXPECT_EQ(&zmap.tile(0), before) << "nobody shares the tile yet";
