@@ -217,6 +217,8 @@ private:
             return fine(std::move(simulation));
         m_simulation = std::move(*simulation);
         m_simulation->setCheckpointBudget(0); // the simulation never goes back
+        if (!m_options.json && !followsSchedule())
+            m_simulation->keepFindingsOnly();
         if (!m_options.provenance.empty())
             m_uncut = m_simulation->zmap();
         const std::size_t blocks = blocksToRun(parseStopBlock(m_options.until), *m_program);

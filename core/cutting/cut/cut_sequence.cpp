@@ -56,8 +56,14 @@ public:
     bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records,
                Provenance* provenance) {
         m_parts.resize(std::max(m_parts.size(), m_order.size()));
-        const bool complete = lowerTiles(zmap, stop, [&](std::size_t k, PassTable&) {
+        const bool all =
+            provenance != nullptr ||
+            std::all_of(m_sweeps.begin(), m_sweeps.begin() + static_cast<std::ptrdiff_t>(m_count),
+                        [](const auto& one) { return one.recorded; });
+        const bool complete = lowerTiles(zmap, stop, [&](std::size_t k, PassTable& table) {
             const std::span own(m_parts.begin() + m_begins[k], orderOf(k).size());
+            if (!all)
+                return lowerTileInTurn(zmap, m_tiles[k], m_sweeps, orderOf(k), own, table, stop);
             Provenance::Marks* marks = provenance == nullptr ? nullptr : &provenance->tile(m_tiles[k]);
             return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k), own, stop, marks);
         });
@@ -115,6 +121,7 @@ private:
             return;
         m_sweeps[at] = PreparedSweep(*one.cutter, one.motion, zmap);
         m_sweeps[at].mark = one.mark;
+        m_sweeps[at].recorded = one.recorded;
         if (!m_sweeps[at].sweep.empty())
             tilesToLower(zmap, m_sweeps[at].sweep, m_tilesOf[at]);
     }

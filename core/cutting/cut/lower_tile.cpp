@@ -113,21 +113,27 @@ public:
     void lowerByAll(std::span<const PreparedSweep> sweeps, std::span<const std::uint32_t> order,
                     PassTable& table) {
         table.clear();
-        for (const std::uint32_t k : order) {
-            const PreparedSweep& prepared = sweeps[k];
-            if (!mayLower(prepared.sweep))
-                continue;
-            if (prepared.passes.empty())
-                (void)lower(prepared);
-            for (const TilePass& pass : seen(prepared))
-                table.add(pass);
+        for (const std::uint32_t k : order)
+            collect(sweeps[k], table);
+        lowerByAll(table);
+    }
+
+    /// Lowers the tile by all sweeps: in any order those between two that are recorded.
+    void lowerInTurn(std::span<const PreparedSweep> sweeps, std::span<const std::uint32_t> order,
+                     std::span<CutRecord> records, PassTable& table) {
+        table.clear();
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const PreparedSweep& prepared = sweeps[order[k]];
+            records[k] = {};
+            if (!prepared.recorded) {
+                collect(prepared, table);
+            } else if (mayLower(prepared.sweep)) {
+                lowerByAll(table);
+                table.clear();
+                records[k] = lower(prepared);
+            }
         }
-        if (table.size() == 0 || (m_tile == nullptr && !proveout::mayLower(table.passes(), tile(), m_floor)))
-            return;
-        acquire();
-        table.arrange();
-        m_result.complete = proveout::lowerByAll(table, *m_work, m_stop) && m_result.complete;
-        m_tile->updateMaximum();
+        lowerByAll(table);
     }
 
     TileCut result() {
@@ -157,6 +163,25 @@ private:
         m_passes.clear();
         prepared.passes.addOverTile(middle.x, middle.y, m_spacing, m_passes);
         return m_passes;
+    }
+
+    /// Adds the passes of a sweep to the table, or lowers the tile at once if it has none.
+    void collect(const PreparedSweep& prepared, PassTable& table) {
+        if (!mayLower(prepared.sweep))
+            return;
+        if (prepared.passes.empty())
+            (void)lower(prepared);
+        for (const TilePass& pass : seen(prepared))
+            table.add(pass);
+    }
+
+    void lowerByAll(PassTable& table) {
+        if (table.size() == 0 || (m_tile == nullptr && !proveout::mayLower(table.passes(), tile(), m_floor)))
+            return;
+        acquire();
+        table.arrange();
+        m_result.complete = proveout::lowerByAll(table, *m_work, m_stop) && m_result.complete;
+        m_tile->updateMaximum();
     }
 
     void lowerByPasses(const PreparedSweep& prepared) {
@@ -328,6 +353,14 @@ TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> 
     TileWork work(zmap, index, GridPart(zmap.grid()), stop, marks);
     for (std::size_t k = 0; k < order.size(); ++k)
         records[k] = work.lower(sweeps[order[k]]);
+    return work.result();
+}
+
+TileCut lowerTileInTurn(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
+                        std::span<const std::uint32_t> order, std::span<CutRecord> records, PassTable& table,
+                        const std::stop_token& stop) {
+    TileWork work(zmap, index, GridPart(zmap.grid()), stop, nullptr);
+    work.lowerInTurn(sweeps, order, records, table);
     return work.result();
 }
 

@@ -21,6 +21,7 @@ struct PreparedSweep {
     Sweep sweep;
     SweepPasses passes;     ///< empty: the sweep is evaluated row by row
     std::uint32_t mark = 1; ///< as of its CutterMotion
+    bool recorded = true;   ///< as of its CutterMotion
 
     PreparedSweep() = default; ///< a sweep that cuts nothing
     PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap)
@@ -45,6 +46,12 @@ struct TileCut {
 [[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                                 std::span<const std::uint32_t> order, std::span<CutRecord> records,
                                 const std::stop_token& stop, Provenance::Marks* marks = nullptr);
+
+/// The same heights and records, but those of sweeps that are not recorded are empty: between two recorded
+/// ones they are cut in the fastest order. `table` is scratch memory.
+[[nodiscard]] TileCut lowerTileInTurn(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
+                                      std::span<const std::uint32_t> order, std::span<CutRecord> records,
+                                      PassTable& table, const std::stop_token& stop);
 
 /// The same heights, without records, in the fastest order. `table` is scratch memory; `place` gives the
 /// positions of the points of the map.

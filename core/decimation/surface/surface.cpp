@@ -73,7 +73,8 @@ Surface::Surface(int nx, int ny, const DecimationParameters& parameters)
     m_allowances = RegionAllowances(m_state.grid, parameters.allowance);
     m_state.facesFull = 2 * static_cast<std::size_t>(nx - 1) * static_cast<std::size_t>(ny - 1);
     m_state.faces = m_state.facesFull;
-    m_state.dirtyRegions = m_state.grid.regionCount();
+    m_dirty = RegionSet(m_state.grid.regionCount());
+    m_state.dirtyRegions = m_dirty.size();
 }
 
 std::size_t Surface::touch(const IndexRect& changed) {
@@ -91,7 +92,8 @@ void Surface::touchRegion(std::size_t region) {
     m_state.faces -= m_state.meshes[region]->triangles.size();
     m_state.meshes.edit(region) = nullptr;
     m_state.faces += fullRegionFaces(grid(), region, m_state.regionBorders(region));
-    ++m_state.dirtyRegions;
+    m_dirty.insert(region);
+    m_state.dirtyRegions = m_dirty.size();
     for (const std::size_t border : grid().borders(region))
         releaseBorderIfUnused(border);
 }
@@ -104,7 +106,7 @@ std::vector<std::size_t> Surface::followView(std::span<const double> allowances)
 }
 
 std::size_t Surface::decimateDirty(const ZMapSnapshot& moment, const WorkContext& context) {
-    return m_state.dirtyRegions == 0 ? 0 : decimateRegions(dirtyList(), moment, context);
+    return m_state.dirtyRegions == 0 ? 0 : decimateRegions(m_dirty.list(), moment, context);
 }
 
 std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
@@ -196,15 +198,6 @@ std::vector<std::size_t> Surface::redraw(ExtrasOfBorders wanted, const std::set<
     return regions;
 }
 
-std::vector<std::size_t> Surface::dirtyList() const {
-    std::vector<std::size_t> regions;
-    regions.reserve(m_state.dirtyRegions);
-    for (std::size_t region = 0; region < grid().regionCount(); ++region)
-        if (isDirty(region))
-            regions.push_back(region);
-    return regions;
-}
-
 /// With a stopped context some borders are skipped; no region is decimated then either.
 void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
                                  const ExtrasOfBorders& extras, const WorkContext& context) {
@@ -261,7 +254,8 @@ void Surface::publish(std::size_t region, RegionMeshPtr mesh) {
     m_state.faces -= fullRegionFaces(grid(), region, m_state.regionBorders(region));
     m_state.faces += mesh->triangles.size();
     m_state.meshes.edit(region) = std::move(mesh);
-    --m_state.dirtyRegions;
+    m_dirty.erase(region);
+    m_state.dirtyRegions = m_dirty.size();
 }
 
 // The two functions below are called only while all regions at the border are dirty: each of them then shows

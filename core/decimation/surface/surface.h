@@ -13,6 +13,7 @@
 #include "core/base/work_context.h"
 #include "core/decimation/regions/region_allowances.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/decimation/regions/region_set.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -60,6 +61,8 @@ public:
     [[nodiscard]] const RegionMeshPtr& mesh(std::size_t region) const { return m_state.meshes[region]; }
     [[nodiscard]] bool isDirty(std::size_t region) const { return m_state.meshes[region] == nullptr; }
     [[nodiscard]] std::size_t dirtyRegions() const { return m_state.dirtyRegions; }
+    /// Ascending.
+    [[nodiscard]] std::vector<std::size_t> listOfDirtyRegions() const { return m_dirty.list(); }
     [[nodiscard]] std::size_t faces() const { return m_state.faces; }
     [[nodiscard]] std::size_t facesFull() const { return m_state.facesFull; }
 
@@ -82,7 +85,6 @@ public:
     [[nodiscard]] SurfaceSnapshot snapshot() const { return m_state; }
 
 private:
-    [[nodiscard]] std::vector<std::size_t> dirtyList() const;
     /// Extra points that borders must keep, ascending.
     using ExtrasOfBorders = std::map<std::size_t, std::vector<std::uint32_t>>;
     void drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
@@ -102,6 +104,7 @@ private:
     DecimationParameters m_parameters;
     RegionAllowances m_allowances;
     SurfaceSnapshot m_state;
+    RegionSet m_dirty;
     std::shared_ptr<DecimatorPool> m_pool; ///< copies of a surface borrow from the same pool
 };
 

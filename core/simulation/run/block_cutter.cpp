@@ -91,6 +91,12 @@ void judge(const ZMap& zmap, const CutRecord& record, const Motion& motion, cons
         findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth, unconfirmed);
 }
 
+/// Whether a finding may depend on what the motion removes: judge().
+bool mayBeFound(const ZMap& zmap, const Motion& motion, const Cutter& cutter) {
+    return motion.kind == MotionKind::rapid ||
+           (cutter.fluteLength() > 0 && zmap.stock().topZ() - bounds(motion).lo.z > cutter.fluteLength());
+}
+
 /// The cutter of a motion; null if it is unknown, or only probes.
 const Cutter* cutterOf(const Motion& motion, const Setup& setup, const ToolChoice& tools) {
     return motion.probing ? nullptr : setup.tools.find(tools.tool(motion.tool));
@@ -164,9 +170,10 @@ namespace {
 class BlocksInTurn {
 public:
     BlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
-                 const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop)
+                 const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop,
+                 Recording recording)
         : m_zmap(zmap), m_program(program), m_setup(setup), m_tools(tools), m_findings(findings),
-          m_stop(stop), m_first(first), m_last(last), m_sums(last - first) {}
+          m_stop(stop), m_recording(recording), m_first(first), m_last(last), m_sums(last - first) {}
 
     /// False if it was stopped: the map may have been cut then.
     bool cutAll() {
@@ -195,7 +202,8 @@ private:
                 m_waiting.resize(waiting);
                 return true;
             }
-            m_waiting.push_back({cutter, motion, static_cast<std::uint32_t>(block + 1)});
+            m_waiting.push_back({cutter, motion, static_cast<std::uint32_t>(block + 1),
+                                 m_recording == Recording::blocks || mayBeFound(m_zmap, motion, *cutter)});
         }
         return false;
     }
@@ -207,7 +215,9 @@ private:
         if (!records)
             return false;
         for (std::size_t k = 0; k < m_waiting.size(); ++k) {
-            const auto& [cutter, motion, mark] = m_waiting[k];
+            const auto& [cutter, motion, mark, recorded] = m_waiting[k];
+            if (!recorded)
+                continue;
             const std::size_t block = mark - 1;
             if (m_findings != nullptr)
                 judge(m_zmap, (*records)[k], motion, *cutter, isUnconfirmed(motion, m_setup, m_tools), block,
@@ -231,6 +241,7 @@ private:
     const ToolChoice& m_tools;
     FindingLog* m_findings;
     const std::stop_token& m_stop;
+    Recording m_recording;
     std::size_t m_first;
     std::size_t m_last;
     std::vector<CutterMotion> m_waiting; ///< marked by 1 + their block
@@ -242,11 +253,11 @@ private:
 std::optional<std::vector<CutRecord>> cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first,
                                                       std::size_t last, const Setup& setup,
                                                       const ToolChoice& tools, FindingLog* findings,
-                                                      const std::stop_token& stop) {
+                                                      const std::stop_token& stop, Recording recording) {
     std::optional<ZMapSnapshot> before;
     if (stop.stop_possible())
         before = zmap.snapshot();
-    BlocksInTurn blocks(zmap, program, first, last, setup, tools, findings, stop);
+    BlocksInTurn blocks(zmap, program, first, last, setup, tools, findings, stop, recording);
     if (blocks.cutAll())
         return blocks.takeSums();
     zmap = ZMap(*before);

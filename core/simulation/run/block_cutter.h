@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -23,12 +24,20 @@ namespace proveout {
                                                 const Setup& setup, const ToolChoice& tools,
                                                 FindingLog* findings, const std::stop_token& stop);
 
+/// What a run keeps of the blocks it cuts.
+enum class Recording : std::uint8_t {
+    blocks,  ///< one record each
+    findings ///< only what was found: most motions are then cut for their heights alone
+};
+
 /// Cuts the blocks [first, last) with the same heights, records and findings as cutBlock() for one after the
-/// other, to the last bit, but many of their motions at once. One record per block. If it is stopped, the map
-/// is as before, findings do not include these blocks, and there are no records.
+/// other, to the last bit, but many of their motions at once. One record per block, which lacks what no
+/// finding needs if only findings are kept. If it is stopped, the map is as before, findings do not include
+/// these blocks, and there are no records.
 [[nodiscard]] std::optional<std::vector<CutRecord>>
 cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
-                const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop);
+                const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop,
+                Recording recording = Recording::blocks);
 
 /// All motions of the blocks [first, last), each with its cutter, or null if it cuts nothing, and marked by 1
 /// + its block. The cutters are those of `setup`.

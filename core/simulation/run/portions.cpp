@@ -2,6 +2,7 @@
 #include "core/simulation/run/portions.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/simulation/run/checkpoints.h"
 
@@ -26,8 +27,10 @@ std::size_t checkpointBlocks(const Program& program) {
     return std::max(program.blockCount() / kCheckpointsOfProgram, kFewestBlocksBetween);
 }
 
-Portions::Portions(const Program& program, bool remembers)
-    : m_program(program), m_longest(remembers ? kCheckpointSeconds : kLongestSeconds),
+Portions::Portions(const Program& program, bool remembers, bool mayStop)
+    : m_program(program), m_longest(remembers ? kCheckpointSeconds
+                                    : mayStop ? kLongestSeconds
+                                              : std::numeric_limits<double>::infinity()),
       m_largest(std::max(remembers ? checkpointBlocks(program) / 2 : program.blockCount(), kFirstPortion)),
       m_blocks(kFirstPortion) {}
 

@@ -15,8 +15,9 @@ namespace proveout {
 /// stop loses one portion at most. Owned by one thread; `program` must outlive it.
 class Portions {
 public:
-    /// `remembers`: there are checkpoints, which are made between two portions.
-    Portions(const Program& program, bool remembers);
+    /// `remembers`: there are checkpoints, which are made between two portions. `mayStop`: a caller may wait
+    /// for the end of a portion.
+    Portions(const Program& program, bool remembers, bool mayStop);
 
     /// The number of blocks to cut next, from block `first` on, which is before block `end`.
     [[nodiscard]] std::size_t from(std::size_t first, std::size_t end) const;

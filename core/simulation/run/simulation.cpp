@@ -14,6 +14,27 @@
 
 namespace proveout {
 
+namespace {
+
+/// The tool of the frame's block, and where it is.
+void noteCutter(Frame& frame, const ToolChoice& tools) {
+    if (frame.block > 0) {
+        const auto motions = frame.program->blockMotions(frame.block - 1);
+        const Motion last = frame.program->motion(motions.last - 1);
+        frame.cutterPosition = last.end;
+        frame.cutterKnown = last.endKnown == kAllAxes;
+        frame.tool = tools.tool(last.tool);
+        frame.toolAssumed = tools.isAssumed(last.tool);
+    } else {
+        frame.cutterPosition = frame.setup->start.value_or(Vec3(0));
+        frame.cutterKnown = frame.setup->start.has_value();
+        frame.tool = frame.setup->startTool.value_or(tools.tool(0));
+        frame.toolAssumed = tools.assumed().has_value();
+    }
+}
+
+} // namespace
+
 Simulation::Simulation(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 Simulation::~Simulation() = default;
 
@@ -123,6 +144,10 @@ void Simulation::setCheckpointBudget(std::size_t bytes) {
     m_state->checkpoints.setBudget(bytes);
 }
 
+void Simulation::keepFindingsOnly() {
+    m_state->findingsOnly.emplace(m_state->stock.zmap);
+}
+
 bool Simulation::canRefine() const {
     const State& state = *m_state;
     return canMerge(state.parameters) && state.schedule.repeats() && state.atRest.isWanted();
@@ -178,23 +203,12 @@ Frame Simulation::frame() const {
     frame.findings.insert(frame.findings.end(), state.setupFindings.begin(), state.setupFindings.end());
     std::ranges::move(state.findings.diagnostics(*state.program, state.tools),
                       std::back_inserter(frame.findings));
-    if (atEnd() && state.stock.removedMm3 <= 0)
+    frame.removedMm3 =
+        state.findingsOnly ? state.findingsOnly->removedFrom(state.stock.zmap) : state.stock.removedMm3;
+    if (atEnd() && frame.removedMm3 <= 0)
         std::ranges::move(untouchedStock(*state.program, *state.setup, state.tools),
                           std::back_inserter(frame.findings));
-    frame.removedMm3 = state.stock.removedMm3;
-    if (frame.block > 0) {
-        const auto motions = state.program->blockMotions(frame.block - 1);
-        const Motion last = state.program->motion(motions.last - 1);
-        frame.cutterPosition = last.end;
-        frame.cutterKnown = last.endKnown == kAllAxes;
-        frame.tool = state.tools.tool(last.tool);
-        frame.toolAssumed = state.tools.isAssumed(last.tool);
-    } else {
-        frame.cutterPosition = state.setup->start.value_or(Vec3(0));
-        frame.cutterKnown = state.setup->start.has_value();
-        frame.tool = state.setup->startTool.value_or(state.tools.tool(0));
-        frame.toolAssumed = state.tools.assumed().has_value();
-    }
+    noteCutter(frame, state.tools);
     return frame;
 }
 

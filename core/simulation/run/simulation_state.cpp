@@ -7,26 +7,13 @@
 
 #include "core/base/stop_watch.h"
 #include "core/simulation/run/block_cutter.h"
+#include "core/simulation/run/block_rows.h"
 #include "core/simulation/run/changed_regions.h"
 #include "core/simulation/run/portions.h"
 #include "core/simulation/setup/automatic_grid.h"
 #include "core/simulation/setup/stock_position.h"
 
 namespace proveout {
-
-namespace {
-
-/// What is known of a block that was cut, without the times and the surface.
-BlockStatistics rowOf(const CutRecord& record, const Surface& surface) {
-    BlockStatistics row;
-    row.facesFull = static_cast<std::uint32_t>(surface.facesFull());
-    row.removedMm3 = record.removedMm3;
-    row.maxDepth = static_cast<float>(record.maxDepth);
-    row.radialEngagement = static_cast<float>(record.radialEngagement());
-    return row;
-}
-
-} // namespace
 
 void Simulation::State::useProgram(std::shared_ptr<const Program> wanted) {
     program = std::move(wanted);
@@ -61,10 +48,12 @@ bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkCont
 
 bool Simulation::State::cutNew(StockRun& run, std::size_t count, const WorkContext& context) {
     const StopWatch watch;
-    const auto records = cutBlocksInTurn(run.zmap, *program, run.block, run.block + count, *setup, tools,
-                                         &findings, context.stop);
+    const auto records =
+        cutBlocksInTurn(run.zmap, *program, run.block, run.block + count, *setup, tools, &findings,
+                        context.stop, findingsOnly ? Recording::findings : Recording::blocks);
     for (std::size_t k = 0; records && k < count; ++k) {
-        rows.push_back(rowOf((*records)[k], surface));
+        rows.push_back(findingsOnly ? unrecordedRow(surface.facesFull())
+                                    : recordedRow((*records)[k], surface.facesFull()));
         run.removedMm3 += (*records)[k].removedMm3;
     }
     countCut(run, records ? count : 0, watch.seconds());
@@ -111,7 +100,7 @@ void Simulation::State::step(const WorkContext& context) {
         return;
     touchChanged(record->changed);
 
-    BlockStatistics row = rowOf(*record, surface);
+    BlockStatistics row = recordedRow(*record, surface.facesFull());
     const BlockStatistics old = first ? row : rows[block];
     row.cutSeconds = static_cast<float>(stock.cutSeconds - secondsBefore);
     row.decimationSeconds = 0;
@@ -141,11 +130,11 @@ double Simulation::State::decimate(std::span<const std::size_t> regions, const W
 }
 
 std::vector<std::size_t> Simulation::State::dirtyRegions(std::span<const std::size_t> without) const {
-    std::vector<std::size_t> out;
-    for (std::size_t region = 0; region < surface.grid().regionCount(); ++region)
-        if (surface.isDirty(region) && !std::ranges::binary_search(without, region))
-            out.push_back(region);
-    return out;
+    std::vector<std::size_t> regions = surface.listOfDirtyRegions();
+    if (!without.empty())
+        std::erase_if(regions,
+                      [&](std::size_t region) { return std::ranges::binary_search(without, region); });
+    return regions;
 }
 
 void Simulation::State::noteSurface() {
@@ -188,7 +177,7 @@ Checkpoint Simulation::State::nearest(std::size_t block) const {
 }
 
 bool Simulation::State::cutTo(StockRun& run, std::size_t block, const WorkContext& context) {
-    Portions portions(*program, checkpoints.wanted());
+    Portions portions(*program, checkpoints.wanted(), context.stop.stop_possible());
     const std::size_t from = run.block;
     while (run.block < block && !context.stopped()) {
         const bool isNew = run.block >= rows.size();

@@ -11,6 +11,7 @@
 #include "core/cutting/cut/cutting.h"
 #include "core/simulation/run/checkpoints.h"
 #include "core/simulation/run/finding_log.h"
+#include "core/simulation/run/removed_volume.h"
 #include "core/simulation/run/schedule.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/run/surface_at_rest.h"
@@ -54,6 +55,7 @@ struct Simulation::State {
     std::optional<BlockStatistics> rowBefore;
 
     SurfaceAtRest atRest;
+    std::optional<RemovedVolume> findingsOnly; ///< if no records are kept: what was removed
 
     Checkpoints checkpoints;
     PersistentArray<BlockStatistics> rows;

@@ -22,6 +22,7 @@ struct BlockStatistics {
     std::uint32_t regionsDecimated = 0; ///< regions decimated at the end of the block, if it was played
     float cutSeconds = kNotMeasured;
     float decimationSeconds = kNotMeasured;
+    // Without records (Recording::findings) the rest is not measured either.
     float maxDepth = 0;         ///< largest height removed at a point, mm: the axial depth
     float radialEngagement = 0; ///< the width that was cut across the path, mm, to within one spacing of the
                                 ///< grid
@@ -31,6 +32,7 @@ struct BlockStatistics {
     [[nodiscard]] bool isPlayed() const { return !std::isnan(cutSeconds); }
     /// Whether the surface after the block was made: its faces and dirty regions are known.
     [[nodiscard]] bool surfaceIsMeasured() const { return facesShown > 0; }
+    [[nodiscard]] bool isRecorded() const { return !std::isnan(removedMm3); }
     /// If false, the block moved through air.
     [[nodiscard]] bool cuts() const { return double{maxDepth} > kNothingRemoved; }
 };

@@ -82,6 +82,30 @@ TEST(CutSequence, IsTheMotionsOneByOne) {
     }
 }
 
+TEST(CutSequence, RecordsWhatIsAskedForAmongMotionsThatAreNot) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    for (int round = 0; round < roundsOf(12); ++round) {
+        RandomSequence sequence(random, 60);
+        const double spacing = round % 2 == 0 ? 0.15 : 0.7;
+        ZMap expected = freshMap(spacing);
+        const auto records = cut(expected, sequence.motions, {});
+        ASSERT_TRUE(records);
+        const auto oneIn = 1 + random() % 6;
+        for (CutterMotion& one : sequence.motions)
+            one.recorded = random() % oneIn == 0;
+        ZMap zmap = freshMap(spacing);
+        const auto found = cut(zmap, sequence.motions, {});
+        ASSERT_TRUE(found);
+        EXPECT_TRUE(zmap.snapshot().sameHeights(expected.snapshot(), {0, 0, zmap.grid().nx, zmap.grid().ny}));
+        ASSERT_EQ(found->size(), records->size());
+        for (std::size_t k = 0; k < records->size(); ++k)
+            if (sequence.motions[k].recorded)
+                expectSame((*found)[k], (*records)[k]);
+    }
+}
+
 TEST(CutSequence, KnowsWhichMotionLoweredEachPointLast) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE("seed " + std::to_string(seed));

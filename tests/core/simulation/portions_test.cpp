@@ -11,6 +11,7 @@
 
 #include "core/cutter/cutter.h"
 #include "core/simulation/run/block_cutter.h"
+#include "core/simulation/run/removed_volume.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 #include "tests/random_seed.h"
@@ -97,6 +98,47 @@ TEST(Portions, HaveTheHeightsRecordsAndFindingsOfSingleBlocks) {
         }
         ASSERT_EQ(aloneLog.diagnostics(*program, tools), togetherLog.diagnostics(*program, tools));
     }
+}
+
+TEST(Portions, FindWithoutRecordsWhatSingleBlocksFind) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < roundsOf(40); ++round) {
+        const auto program = programOf(eventfulProgram(random(), 150));
+        const auto setup = setupOf(random);
+        DecimationParameters parameters;
+        parameters.method = DecimationMethod::none;
+        const auto wanted = straightRun(program, setup, parameters).back();
+        const auto simulation = startedSimulation(program, setup, parameters);
+        simulation->setCheckpointBudget(0);
+        simulation->keepFindingsOnly();
+        if (random() % 2 == 0)
+            simulation->seek(random() % program->blockCount());
+        simulation->seek(program->blockCount());
+        const Frame frame = simulation->frame();
+        ASSERT_TRUE(sameZMap(frame.zmap, wanted.zmap)) << "round " << round;
+        ASSERT_EQ(frame.findings, wanted.findings) << "round " << round;
+        ASSERT_NEAR(frame.removedMm3, wanted.removedMm3, 1e-9 * (1 + wanted.removedMm3)) << "round " << round;
+        ASSERT_EQ(frame.statistics.size(), wanted.statistics.size());
+        ASSERT_FALSE(frame.statistics[frame.block / 2].isRecorded());
+    }
+}
+
+TEST(RemovedVolume, CountsTheLeastStepOfASinglePointAndNothingElse) {
+    ZMap zmap({{0, 0, 0}, 100, 80, 40}, makeGrid({{0, 0, 0}, 100, 80, 40}, 0.5).value());
+    const RemovedVolume removed(zmap);
+    EXPECT_EQ(removed.removedFrom(zmap), 0);
+    float& height = zmap.tileForWriting(1).heights[Tile::kSize + 3]; // inside: i = 67, j = 1
+    height = std::nextafter(-30.0F, -40.0F);
+    const RemovedVolume later(zmap);
+    const double before = -double{height};
+    EXPECT_DOUBLE_EQ(removed.removedFrom(zmap), before * 0.25);
+    height = std::nextafter(height, -40.0F);
+    EXPECT_DOUBLE_EQ(later.removedFrom(zmap), (-double{height} - before) * 0.25);
+    zmap.tileForWriting(0).heights[0] = -8; // a corner of the map: a quarter of a cell
+    zmap.tileForWriting(0).heights[5] = -8; // its border: half of one
+    EXPECT_NEAR(later.removedFrom(zmap), 8 * 0.25 * 0.75, 1e-5);
 }
 
 /// The columns that a seek knows as well.
