@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The top surface. Normals come from the full z-map, not from the triangles: decimation never shows in the shading.
 
-uniform sampler2D heights;
 uniform vec2 spacing;
 uniform vec2 gridSize;     // points along x and y
 uniform float stockHeight;
@@ -51,22 +50,22 @@ void main() {
         discard;
 #endif
     // Differences over one cell, centred here: continuous, and sharp where the surface has an edge.
-    vec2 texel = 1.0 / gridSize;
-    vec2 here = (position.xy / spacing + 0.5) * texel;
-    vec2 lo = max(here - 0.5 * texel, 0.5 * texel);
-    vec2 hi = min(here + 0.5 * texel, 1.0 - 0.5 * texel);
-    float west = texture(heights, vec2(lo.x, here.y)).r;
-    float east = texture(heights, vec2(hi.x, here.y)).r;
-    float south = texture(heights, vec2(here.x, lo.y)).r;
-    float north = texture(heights, vec2(here.x, hi.y)).r;
-    vec2 slope = vec2(east - west, north - south) / ((hi - lo) * gridSize * spacing);
+    Surroundings around = surroundingsOf(position.xy / spacing);
+    vec2 here = around.here;
+    vec2 lo = max(here - 0.5 * around.texel, around.first);
+    vec2 hi = min(here + 0.5 * around.texel, around.last);
+    float west = heightAt(around, vec2(lo.x, here.y));
+    float east = heightAt(around, vec2(hi.x, here.y));
+    float south = heightAt(around, vec2(here.x, lo.y));
+    float north = heightAt(around, vec2(here.x, hi.y));
+    vec2 slope = vec2(east - west, north - south) / ((hi - lo) / around.texel * spacing);
     vec3 normal = normalize(vec3(-slope, 1.0));
 
     // Valleys see less of the room, ridges more; deep pockets a little less again.
-    vec2 wide = 1.6 * texel;
-    float around = 0.25 * (texture(heights, here - vec2(wide.x, 0.0)).r + texture(heights, here + vec2(wide.x, 0.0)).r +
-                           texture(heights, here - vec2(0.0, wide.y)).r + texture(heights, here + vec2(0.0, wide.y)).r);
-    float hollow = (around - 0.25 * (west + east + south + north)) / spacing.x;
+    vec2 wide = 1.6 * around.texel;
+    float rim = 0.25 * (heightAt(around, here - vec2(wide.x, 0.0)) + heightAt(around, here + vec2(wide.x, 0.0)) +
+                        heightAt(around, here - vec2(0.0, wide.y)) + heightAt(around, here + vec2(0.0, wide.y)));
+    float hollow = (rim - 0.25 * (west + east + south + north)) / spacing.x;
     float open = clamp(1.0 - 0.55 * hollow, 0.62, 1.16) * mix(0.84, 1.0, position.z / stockHeight);
 
     float raw = smoothstep(-2e-3, -1e-3, position.z - stockHeight) * step(0.9999, normal.z);

@@ -4,7 +4,6 @@
 // all meshes gives bit-identical positions, hence no crack between a decimated region and one drawn from the z-map.
 // Stock coordinates: mm from the lower-left corner on the stock's floor.
 
-uniform sampler2D heights; // relative to the stock's top
 uniform int columns;
 uniform int points;
 uniform vec2 spacing;
@@ -19,7 +18,7 @@ void main() {
     int index = onFloor ? gl_VertexID - points : gl_VertexID;
     int j = index / columns;
     int i = index - j * columns;
-    float height = onFloor ? floorHeight : texelFetch(heights, ivec2(i, j), 0).r;
+    float height = onFloor ? floorHeight : heightOf(ivec2(i, j));
     vertexPosition = vec3(vec2(i, j) * spacing, height - floorHeight);
     gl_Position = clipFromStock * vec4(vertexPosition, 1.0);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outside walls and the underside of the stock: flat, each with one normal.
 
-uniform sampler2D heights;
 uniform vec2 spacing;
 uniform vec3 normal;
 uniform float floorHeight;
@@ -17,9 +16,9 @@ void main() {
         discard;
     if (underside) {
         // A cell that is cut away to the floor is a hole.
-        ivec2 cell = clamp(ivec2(floor(vertexPosition.xy / spacing)), ivec2(0), textureSize(heights, 0) - 2);
-        float highest = max(max(texelFetch(heights, cell, 0).r, texelFetch(heights, cell + ivec2(1, 0), 0).r),
-                            max(texelFetch(heights, cell + ivec2(0, 1), 0).r, texelFetch(heights, cell + ivec2(1, 1), 0).r));
+        ivec2 cell = clamp(ivec2(floor(vertexPosition.xy / spacing)), ivec2(0), gridPoints - 2);
+        float highest = max(max(heightOf(cell), heightOf(cell + ivec2(1, 0))),
+                            max(heightOf(cell + ivec2(0, 1)), heightOf(cell + ivec2(1, 1))));
         if (highest <= floorHeight)
             discard;
     }

@@ -97,8 +97,8 @@ BoxEdge boxEdge(const ZMapSnapshot& around, const ZMapSnapshot& box, double slac
 }
 
 BoxFrame::BoxFrame()
-    : m_lines({"line.vert", "line.geom", {"line.frag"}, {}}),
-      m_flat({"flat.vert", nullptr, {"flat.frag"}, {}}) {}
+    : m_lines({{"line.vert"}, "line.geom", {"line.frag"}, {}}),
+      m_flat({{"flat.vert"}, nullptr, {"flat.frag"}, {}}) {}
 
 void BoxFrame::setEdge(Gl& gl, const BoxEdge& edge) {
     m_line.write(gl, edge.line.data(), edge.line.size(), {3, 1, 1});

@@ -5,36 +5,89 @@
 
 namespace proveout {
 
-bool HeightTexture::fits(Gl& gl, const Grid& grid) {
+HeightPages HeightTexture::pagesOf(Gl& gl, const Grid& grid) const {
     GLint limit = 0;
     gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-    return grid.nx <= limit && grid.ny <= limit;
+    return HeightPages::of(grid, std::min<int>(limit, m_mostPoints));
 }
 
-void HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
+bool HeightTexture::fits(Gl& gl, const Grid& grid) const {
+    GLint limit = 0;
+    gl.glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &limit);
+    return pagesOf(gl, grid).count() <= limit;
+}
+
+bool HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
     m_grid = moment.grid();
+    m_pages = pagesOf(gl, m_grid);
     m_floor = moment.floor();
     m_tiles.assign(moment.tileCount(), nullptr);
     m_onFloor.assign(moment.tileCount(), false);
     m_tilesOnFloor = 0;
     if (m_texture == 0)
         gl.glGenTextures(1, &m_texture);
-    gl.glBindTexture(GL_TEXTURE_2D, m_texture);
+    gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_texture);
     // The vertex shader fetches single points; shading interpolates between them.
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     // After the parameters are set, because a driver allocates the mipmap levels that they require.
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m_grid.nx, m_grid.ny, 0, GL_RED, GL_FLOAT, nullptr);
+    constexpr int kErrorsKept = 16; // a lost context reports one for ever
+    for (int k = 0; k < kErrorsKept && gl.glGetError() != GL_NO_ERROR;
+         ++k) { // earlier ones are not of this call
+    }
+    gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y, m_pages.count(),
+                    0, GL_RED, GL_FLOAT, nullptr);
+    if (gl.glGetError() != GL_NO_ERROR) {
+        release(gl);
+        return false;
+    }
+    clearOutside(gl);
+    return true;
+}
+
+void HeightTexture::clearOutside(Gl& gl) {
+    const glm::ivec2 texels = m_pages.texels();
+    std::vector<float> zeros;
+    const auto clear = [&](int layer, const IndexRect& part) {
+        if (part.empty())
+            return;
+        zeros.resize(std::max(zeros.size(), static_cast<std::size_t>(part.width()) *
+                                                static_cast<std::size_t>(part.height())));
+        gl.glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, part.i0, part.j0, layer, part.width(), part.height(), 1,
+                           GL_RED, GL_FLOAT, zeros.data());
+    };
+    for (int row = 0; row < m_pages.rows; ++row)
+        for (int column = 0; column < m_pages.columns; ++column) {
+            const IndexRect held = m_pages.held(column, row, m_grid);
+            const int i = column * m_pages.points.x - m_pages.margin;
+            const int j = row * m_pages.points.y - m_pages.margin;
+            const int layer = row * m_pages.columns + column;
+            clear(layer, {0, 0, held.i0 - i, texels.y});
+            clear(layer, {held.i1 - i, 0, texels.x, texels.y});
+            clear(layer, {0, 0, texels.x, held.j0 - j});
+            clear(layer, {0, held.j1 - j, texels.x, texels.y});
+        }
 }
 
 std::size_t HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index) {
     const IndexRect rect = moment.tileRect(index);
     const Tile& tile = *moment.tile(index);
-    gl.glTexSubImage2D(GL_TEXTURE_2D, 0, rect.i0, rect.j0, rect.width(), rect.height(), GL_RED, GL_FLOAT,
-                       tile.heights.data());
+    const IndexRect pages = m_pages.pagesAt(rect);
+    std::size_t points = 0;
+    for (int row = pages.j0; row < pages.j1; ++row)
+        for (int column = pages.i0; column < pages.i1; ++column) {
+            const IndexRect part = intersection(rect, m_pages.held(column, row, m_grid));
+            gl.glPixelStorei(GL_UNPACK_SKIP_PIXELS, part.i0 - rect.i0);
+            gl.glPixelStorei(GL_UNPACK_SKIP_ROWS, part.j0 - rect.j0);
+            gl.glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, part.i0 - column * m_pages.points.x + m_pages.margin,
+                               part.j0 - row * m_pages.points.y + m_pages.margin,
+                               row * m_pages.columns + column, part.width(), part.height(), 1, GL_RED,
+                               GL_FLOAT, tile.heights.data());
+            points += static_cast<std::size_t>(part.width()) * static_cast<std::size_t>(part.height());
+        }
     float lowest = 0;
     for (int j = 0; j < rect.height(); ++j) {
         const float* row = tile.heights.data() + static_cast<std::ptrdiff_t>(j) * Tile::kSize;
@@ -44,16 +97,19 @@ std::size_t HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_
     if (onFloor != m_onFloor[index])
         m_tilesOnFloor = onFloor ? m_tilesOnFloor + 1 : m_tilesOnFloor - 1;
     m_onFloor[index] = onFloor;
-    return sizeof(float) * static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
+    return sizeof(float) * points;
 }
 
 HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment,
                                               const UploadBudget& budget) {
-    if (m_texture == 0 || !(moment.grid() == m_grid) || moment.floor() != m_floor)
-        restart(gl, moment);
-    else
-        gl.glBindTexture(GL_TEXTURE_2D, m_texture);
     Uploaded uploaded;
+    if (m_texture == 0 || !(moment.grid() == m_grid) || moment.floor() != m_floor) {
+        uploaded.fits = restart(gl, moment);
+        if (!uploaded.fits)
+            return uploaded;
+    } else {
+        gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_texture);
+    }
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, Tile::kSize);
     for (std::size_t index = 0; index < moment.tileCount() && uploaded.whole; ++index) {
         if (moment.tile(index) == m_tiles[index])
@@ -63,6 +119,8 @@ HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment
         m_tiles[index] = moment.tile(index);
         uploaded.whole = !budget.spent();
     }
+    gl.glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
+    gl.glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     return uploaded;
 }

@@ -7,25 +7,29 @@
 
 #include "core/zmap/zmap.h"
 #include "ui/gl/gl_functions.h"
+#include "ui/gl/height_pages.h"
 #include "ui/gl/upload_budget.h"
 
 namespace proveout {
 
-/// The z-map as a texture on the GPU with one float per point. Only tiles whose pointer has changed are
-/// uploaded. All methods need the same context to be current.
+/// The z-map as a texture on the GPU with one float per point, in pages if it has more points along a side
+/// than the driver supports. Only tiles whose pointer has changed are uploaded. All methods need the same
+/// context to be current.
 class HeightTexture {
 public:
-    HeightTexture() = default;
+    /// Pages have at most `mostPoints` along a side, fewer if the driver demands it.
+    explicit HeightTexture(int mostPoints) : m_mostPoints(mostPoints) {}
     HeightTexture(const HeightTexture&) = delete;
     HeightTexture& operator=(const HeightTexture&) = delete;
 
-    /// Whether the driver accepts a texture with that many points.
-    [[nodiscard]] static bool fits(Gl& gl, const Grid& grid);
+    /// Whether the driver accepts that many pages.
+    [[nodiscard]] bool fits(Gl& gl, const Grid& grid) const;
 
     struct Uploaded {
         std::size_t tiles = 0;
         std::size_t bytes = 0;
         bool whole = true; ///< whether the texture shows the moment completely
+        bool fits = true;  ///< false: the driver has no memory for it, and nothing was uploaded
     };
 
     /// Uploads `moment`, or a part of it if the budget is too small; the next call continues. The grid must
@@ -33,16 +37,23 @@ public:
     Uploaded update(Gl& gl, const ZMapSnapshot& moment, const UploadBudget& budget = {});
     void release(Gl& gl);
 
-    [[nodiscard]] GLuint id() const { return m_texture; }
+    [[nodiscard]] GLuint id() const { return m_texture; } ///< a GL_TEXTURE_2D_ARRAY
+    [[nodiscard]] const HeightPages& pages() const { return m_pages; }
     /// Whether any point is on the floor of the stock, so that the surface may have holes.
     [[nodiscard]] bool touchesFloor() const { return m_tilesOnFloor > 0; }
 
 private:
-    void restart(Gl& gl, const ZMapSnapshot& moment);
+    [[nodiscard]] HeightPages pagesOf(Gl& gl, const Grid& grid) const;
+    /// False if the driver has no memory for it.
+    bool restart(Gl& gl, const ZMapSnapshot& moment);
+    /// Points of pages that are not in the grid: interpolation must not meet whatever was in that memory.
+    void clearOutside(Gl& gl);
     /// Returns the number of bytes uploaded.
     std::size_t upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index);
 
+    int m_mostPoints;
     GLuint m_texture = 0;
+    HeightPages m_pages;
     Grid m_grid;
     float m_floor = 0;
     std::vector<std::shared_ptr<const Tile>> m_tiles; ///< the uploaded tiles; null: not uploaded yet

@@ -21,7 +21,7 @@ public:
     /// within a frame.
     static constexpr std::size_t kMostWholeMotions = 200'000;
 
-    PathRenderer() : m_program({"line.vert", "line.geom", {"line.frag"}, {}}) {}
+    PathRenderer() : m_program({{"line.vert"}, "line.geom", {"line.frag"}, {}}) {}
 
     [[nodiscard]] bool valid() const { return m_program.valid(); }
     /// The program being run, and the number of blocks that have been executed.

@@ -20,19 +20,20 @@ glm::vec4 cutOut(const FramePtr& box, const Grid& around) {
 
 } // namespace
 
-std::unique_ptr<SceneRenderer> SceneRenderer::create() {
+std::unique_ptr<SceneRenderer> SceneRenderer::create(int mostTexturePoints) {
     Gl* gl = currentGl();
     if (gl == nullptr)
         return nullptr;
-    std::unique_ptr<SceneRenderer> renderer(new SceneRenderer(*gl));
+    std::unique_ptr<SceneRenderer> renderer(new SceneRenderer(*gl, mostTexturePoints));
     const bool valid = renderer->m_backdrop.valid() && renderer->m_surface.valid() &&
                        renderer->m_cutter.valid() && renderer->m_path.valid() &&
                        renderer->m_boxSurface.valid() && renderer->m_boxFrame.valid();
     return valid ? std::move(renderer) : nullptr;
 }
 
-SceneRenderer::SceneRenderer(Gl& gl)
-    : m_gl(gl), m_backdrop({"backdrop.vert", nullptr, {"backdrop.frag"}, {}}) {
+SceneRenderer::SceneRenderer(Gl& gl, int mostTexturePoints)
+    : m_gl(gl), m_backdrop({{"backdrop.vert"}, nullptr, {"backdrop.frag"}, {}}), m_surface(mostTexturePoints),
+      m_boxSurface(mostTexturePoints) {
     m_gl.glGenVertexArrays(1, &m_emptyArray);
 }
 
@@ -43,13 +44,17 @@ UploadCounts SceneRenderer::upload(const FramePtr& frame) {
     m_path.setPosition(frame->program, frame->block);
     m_cutter.setCutter(m_gl,
                        frame->cutterKnown && frame->setup ? frame->setup->tools.find(frame->tool) : nullptr);
-    m_gridFits = HeightTexture::fits(m_gl, frame->zmap.grid());
-    return m_gridFits && frame->zmap.tileCount() > 0 ? m_surface.upload(m_gl, *frame) : UploadCounts{};
+    m_gridFits = m_surface.fits(m_gl, frame->zmap.grid());
+    if (!m_gridFits || frame->zmap.tileCount() == 0)
+        return {};
+    const UploadCounts counts = m_surface.upload(m_gl, *frame);
+    m_gridFits = counts.fits;
+    return counts;
 }
 
 bool SceneRenderer::uploadBox(const FramePtr& box, const UploadBudget& budget) {
     m_boxPending = false;
-    const bool drawn = box != nullptr && m_frame != nullptr && HeightTexture::fits(m_gl, box->zmap.grid());
+    const bool drawn = box != nullptr && m_frame != nullptr && m_boxSurface.fits(m_gl, box->zmap.grid());
     if (!drawn) {
         m_box.reset();
         m_boxIn.reset();
@@ -57,7 +62,10 @@ bool SceneRenderer::uploadBox(const FramePtr& box, const UploadBudget& budget) {
     }
     if (box != m_box) {
         m_box.reset(); // the uploaded content no longer belongs to that frame
-        m_boxPending = !m_boxSurface.upload(m_gl, *box, budget).whole;
+        const UploadCounts counts = m_boxSurface.upload(m_gl, *box, budget);
+        if (!counts.fits)
+            return false;
+        m_boxPending = !counts.whole;
         if (m_boxPending)
             return true;
     }

@@ -3,6 +3,7 @@
 // the window, studies and tests draw the same image.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "ui/gl/box_frame.h"
@@ -15,8 +16,10 @@ namespace proveout {
 /// Construction, release() and all methods need the same context to be current.
 class SceneRenderer {
 public:
-    /// Null if OpenGL 3.3 is not available or a shader fails to compile.
-    [[nodiscard]] static std::unique_ptr<SceneRenderer> create();
+    /// Null if OpenGL 3.3 is not available or a shader fails to compile. Textures have at most
+    /// `mostTexturePoints` along a side, fewer if the driver demands it.
+    [[nodiscard]] static std::unique_ptr<SceneRenderer>
+    create(int mostTexturePoints = std::numeric_limits<int>::max());
     SceneRenderer(const SceneRenderer&) = delete;
     SceneRenderer& operator=(const SceneRenderer&) = delete;
 
@@ -49,7 +52,7 @@ public:
     [[nodiscard]] std::size_t triangles(SurfaceBuffer::Part part) const { return m_surface.triangles(part); }
 
 private:
-    explicit SceneRenderer(Gl& gl);
+    SceneRenderer(Gl& gl, int mostTexturePoints);
     void drawBox(const View& view, const SceneOptions& options, const StockView& stockView,
                  const Vec3& origin);
     void drawBackdrop(const SceneOptions& options);

@@ -25,19 +25,24 @@ QByteArray source(const char* name) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() + "\n" : QByteArray();
 }
 
+QByteArray joined(const QList<const char*>& names) {
+    QByteArray text;
+    for (const char* name : names)
+        text += source(name);
+    return text;
+}
+
 } // namespace
 
 ShaderProgram::ShaderProgram(const ShaderFiles& files) {
     const QByteArray head = preamble(files);
-    QByteArray fragment = head;
-    for (const char* name : files.fragment)
-        fragment += source(name);
-    m_valid = m_program.addShaderFromSourceCode(QOpenGLShader::Vertex, head + source(files.vertex)) &&
+    m_valid = m_program.addShaderFromSourceCode(QOpenGLShader::Vertex, head + joined(files.vertex)) &&
               (files.geometry == nullptr ||
                m_program.addShaderFromSourceCode(QOpenGLShader::Geometry, head + source(files.geometry))) &&
-              m_program.addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) && m_program.link();
+              m_program.addShaderFromSourceCode(QOpenGLShader::Fragment, head + joined(files.fragment)) &&
+              m_program.link();
     if (!m_valid)
-        qCritical("Shader %s: %s", files.vertex, qPrintable(m_program.log()));
+        qCritical("Shader %s: %s", files.vertex.last(), qPrintable(m_program.log()));
 }
 
 } // namespace proveout

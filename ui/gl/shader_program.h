@@ -13,10 +13,10 @@
 
 namespace proveout {
 
-/// The files of one program, as names below `resources/shaders`; `fragment` files are joined in the given
+/// The files of one program, as names below `resources/shaders`; those of a stage are joined in the given
 /// sequence.
 struct ShaderFiles {
-    const char* vertex = nullptr;
+    QList<const char*> vertex;
     const char* geometry = nullptr; ///< may be null
     QList<const char*> fragment;
     QList<const char*> defines; ///< preprocessor names, defined in every stage
@@ -36,6 +36,7 @@ public:
     void set(Gl& gl, const char* name, int value) { gl.glUniform1i(at(name), value); }
     void set(Gl& gl, const char* name, bool value) { gl.glUniform1i(at(name), value ? 1 : 0); }
     void set(Gl& gl, const char* name, float value) { gl.glUniform1f(at(name), value); }
+    void set(Gl& gl, const char* name, const glm::ivec2& v) { gl.glUniform2i(at(name), v.x, v.y); }
     void set(Gl& gl, const char* name, const glm::vec2& v) { gl.glUniform2f(at(name), v.x, v.y); }
     void set(Gl& gl, const char* name, const glm::vec3& v) { gl.glUniform3f(at(name), v.x, v.y, v.z); }
     void set(Gl& gl, const char* name, const glm::vec4& v) { gl.glUniform4f(at(name), v.x, v.y, v.z, v.w); }

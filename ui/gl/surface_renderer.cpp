@@ -10,17 +10,20 @@ namespace {
 constexpr std::array kNormals{glm::vec3(0, -1, 0), glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0),
                               glm::vec3(1, 0, 0), glm::vec3(0, 0, -1)};
 constexpr float kTintStrength = 0.65f;
+const QList<const char*> kVertex{"heights.glsl", "surface.vert"};
 
 } // namespace
 
-SurfaceRenderer::SurfaceRenderer()
-    : m_plain({"surface.vert", nullptr, {"lighting.glsl", "surface.frag"}, {}}),
-      m_holes({"surface.vert", nullptr, {"cut_out.glsl", "lighting.glsl", "surface.frag"}, {"HOLES"}}),
-      m_wire({"surface.vert",
+SurfaceRenderer::SurfaceRenderer(int mostTexturePoints)
+    : m_plain({kVertex, nullptr, {"heights.glsl", "lighting.glsl", "surface.frag"}, {}}),
+      m_holes(
+          {kVertex, nullptr, {"cut_out.glsl", "heights.glsl", "lighting.glsl", "surface.frag"}, {"HOLES"}}),
+      m_wire({kVertex,
               "wireframe.geom",
-              {"cut_out.glsl", "lighting.glsl", "surface.frag"},
+              {"cut_out.glsl", "heights.glsl", "lighting.glsl", "surface.frag"},
               {"HOLES", "WIREFRAME"}}),
-      m_walls({"surface.vert", nullptr, {"cut_out.glsl", "lighting.glsl", "wall.frag"}, {}}) {}
+      m_walls({kVertex, nullptr, {"cut_out.glsl", "heights.glsl", "lighting.glsl", "wall.frag"}, {}}),
+      m_heights(mostTexturePoints) {}
 
 bool SurfaceRenderer::valid() const {
     return m_plain.valid() && m_holes.valid() && m_wire.valid() && m_walls.valid();
@@ -35,7 +38,8 @@ UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame, const UploadBud
     counts.tiles = heights.tiles;
     counts.bytes = heights.bytes;
     counts.whole = heights.whole;
-    if (!counts.whole)
+    counts.fits = heights.fits;
+    if (!counts.whole || !counts.fits)
         return counts;
     const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, frame.surface, budget);
     counts.lists = uploaded.lists;
@@ -50,7 +54,12 @@ UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame, const UploadBud
 }
 
 void SurfaceRenderer::setStock(Gl& gl, ShaderProgram& program, const SceneOptions& options) {
+    const HeightPages& pages = m_heights.pages();
     program.set(gl, "heights", 0);
+    program.set(gl, "gridPoints", glm::ivec2(m_grid.nx, m_grid.ny));
+    program.set(gl, "pagePoints", pages.points);
+    program.set(gl, "pageColumns", pages.columns);
+    program.set(gl, "pageMargin", pages.margin);
     program.set(gl, "columns", m_grid.nx);
     program.set(gl, "points", m_grid.nx * m_grid.ny);
     program.set(gl, "spacing", glm::vec2(m_grid.hx, m_grid.hy));
@@ -93,7 +102,7 @@ void SurfaceRenderer::drawWalls(Gl& gl, const StockView& view, const SceneOption
 
 void SurfaceRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& options) {
     gl.glActiveTexture(GL_TEXTURE0);
-    gl.glBindTexture(GL_TEXTURE_2D, m_heights.id());
+    gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_heights.id());
     drawTop(gl, view, options);
     drawWalls(gl, view, options);
 }

@@ -17,15 +17,19 @@ struct UploadCounts {
     std::size_t indices = 0; ///< in these lists and in the walls
     std::size_t bytes = 0;   ///< heights and indices
     bool whole = true;       ///< whether the frame is uploaded completely
+    bool fits = true;        ///< false: the driver has no memory for the heights
 };
 
 /// Draws the stock: top surface, walls, underside. All methods need the same context to be current.
 class SurfaceRenderer {
 public:
-    SurfaceRenderer();
+    /// `mostTexturePoints`: HeightTexture.
+    explicit SurfaceRenderer(int mostTexturePoints);
 
     [[nodiscard]] bool valid() const;
-    /// The grid must fit (HeightTexture::fits). If the budget is too small, the next call continues; do not
+    /// Whether the driver can hold the heights of that many points.
+    [[nodiscard]] bool fits(Gl& gl, const Grid& grid) const { return m_heights.fits(gl, grid); }
+    /// The grid must fit. If the budget is too small, the next call continues; do not
     /// draw before the frame is complete.
     [[nodiscard]] UploadCounts upload(Gl& gl, const Frame& frame, const UploadBudget& budget = {});
     /// A rectangle in plan, in stock coordinates (x, y, x, y), in which nothing is drawn except a pixel at

@@ -5,7 +5,7 @@
 
 namespace proveout {
 
-OffscreenPicture::OffscreenPicture() {
+OffscreenPicture::OffscreenPicture(int mostTexturePoints) {
     if (!probeGl().usable)
         return;
     QSurfaceFormat format;
@@ -15,7 +15,7 @@ OffscreenPicture::OffscreenPicture() {
     m_surface.setFormat(format);
     m_surface.create();
     if (m_context.create() && m_context.makeCurrent(&m_surface))
-        m_renderer = SceneRenderer::create();
+        m_renderer = SceneRenderer::create(mostTexturePoints);
 }
 
 OffscreenPicture::~OffscreenPicture() {

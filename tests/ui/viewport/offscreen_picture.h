@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include <QImage>
@@ -14,7 +15,8 @@ namespace proveout {
 /// An OpenGL 3.3 context without a window, with a scene renderer.
 class OffscreenPicture {
 public:
-    OffscreenPicture();
+    /// As SceneRenderer::create().
+    explicit OffscreenPicture(int mostTexturePoints = std::numeric_limits<int>::max());
     ~OffscreenPicture();
 
     /// False if this machine or platform has no OpenGL 3.3.

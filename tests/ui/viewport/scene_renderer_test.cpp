@@ -131,6 +131,8 @@ private slots:
     void cracksWouldBeSeen();
     void uploadsOnlyWhatChanged();
     void anotherGridReplacesTheOldOne();
+    void pagesHoldEveryPointAndItsNeighbours();
+    void pagesLookLikeOneTexture();
     void staysRightFarFromTheOrigin();
     void boxReplacesWhatIsThere();
     void boxComesInPartsAndIsShownWhole();
@@ -522,6 +524,59 @@ void SceneRendererTest::anotherGridReplacesTheOldOne() {
     const QImage first = draw(coarse.frame(), camera, testOptions());
     static_cast<void>(draw(fine.frame(), camera, testOptions()));
     QCOMPARE(draw(coarse.frame(), camera, testOptions()), first);
+}
+
+void SceneRendererTest::pagesHoldEveryPointAndItsNeighbours() {
+    for (const auto& [nx, ny, most] :
+         {std::array{100, 70, 100}, {101, 70, 100}, {500, 3, 16}, {20001, 10001, 16384}, {64, 65, 8}}) {
+        Grid grid;
+        grid.nx = nx;
+        grid.ny = ny;
+        const HeightPages pages = HeightPages::of(grid, most);
+        QVERIFY(pages.texels().x <= most && pages.texels().y <= most);
+        QCOMPARE(pages.count() == 1, pages.margin == 0);
+        for (int i = 0; i < nx; ++i)
+            for (const int reach : {-2, 0, 2}) {
+                const int near = std::clamp(i + reach, 0, nx - 1);
+                const IndexRect held = pages.held(i / pages.points.x, 0, grid);
+                QVERIFY(near >= held.i0 && near < held.i1);
+                const IndexRect at = pages.pagesAt({near, 0, near + 1, 1});
+                QVERIFY(i / pages.points.x >= at.i0 && i / pages.points.x < at.i1);
+                QVERIFY(at.i0 >= 0 && at.i1 <= pages.columns);
+            }
+    }
+}
+
+void SceneRendererTest::pagesLookLikeOneTexture() {
+    DecimationParameters parameters;
+    parameters.regionCells = 8;
+    const HalfDirty dirty = halfDirty(3, parameters);
+    FrameBuilder holed(kStock, 1, parameters);
+    holed.cutAll([](double x, double y) { return std::hypot(x - 37, y - 33) < 12 ? -25 : hills(x, y); });
+    holed.decimate();
+    OffscreenPicture paged(40); // 3 × 3 pages
+    for (const FramePtr& frame : {dirty.frame, holed.frame()})
+        for (const bool wireframe : {false, true})
+            for (const StandardView from : {StandardView::iso, StandardView::top, StandardView::bottom}) {
+                SceneOptions options = testOptions();
+                options.wireframe = wireframe;
+                const View view = cameraAt(from, true).view(stockBox());
+                const QImage one = m_picture->draw(frame, view, options);
+                const QImage many = paged.draw(frame, view, options);
+                int different = 0;
+                for (int y = 0; y < one.height(); ++y)
+                    for (int x = 0; x < one.width(); ++x) {
+                        const QRgb a = one.pixel(x, y);
+                        const QRgb b = many.pixel(x, y);
+                        constexpr int kRounding = 2;
+                        different += std::abs(qRed(a) - qRed(b)) > kRounding ||
+                                             std::abs(qGreen(a) - qGreen(b)) > kRounding ||
+                                             std::abs(qBlue(a) - qBlue(b)) > kRounding
+                                         ? 1
+                                         : 0;
+                    }
+                QCOMPARE(different, 0);
+            }
 }
 
 void SceneRendererTest::staysRightFarFromTheOrigin() {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gl/height_pages.h"
+
+#include <algorithm>
+
+namespace proveout {
+
+HeightPages HeightPages::of(const Grid& grid, int most) {
+    const auto countFor = [](int points, int usable) { return (points + usable - 1) / usable; };
+    HeightPages pages;
+    pages.margin = grid.nx <= most && grid.ny <= most ? 0 : kMargin;
+    const int usable = std::max(most - 2 * pages.margin, 1);
+    pages.columns = countFor(grid.nx, usable);
+    pages.rows = countFor(grid.ny, usable);
+    pages.points = {countFor(grid.nx, pages.columns), countFor(grid.ny, pages.rows)};
+    return pages;
+}
+
+IndexRect HeightPages::held(int column, int row, const Grid& grid) const {
+    return {std::max(column * points.x - margin, 0), std::max(row * points.y - margin, 0),
+            std::min((column + 1) * points.x + margin, grid.nx),
+            std::min((row + 1) * points.y + margin, grid.ny)};
+}
+
+IndexRect HeightPages::pagesAt(const IndexRect& rect) const {
+    return {std::max(rect.i0 - margin, 0) / points.x, std::max(rect.j0 - margin, 0) / points.y,
+            std::min((rect.i1 - 1 + margin) / points.x + 1, columns),
+            std::min((rect.j1 - 1 + margin) / points.y + 1, rows)};
+}
+
+} // namespace proveout
