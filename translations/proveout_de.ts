@@ -7683,8 +7683,8 @@ Vorgabe: 0 mm</translation>
         <translation>Schreibgeschützt, mit gekürzten Zeilen: Zeile %1 hat mehr als %2 Zeichen.</translation>
     </message>
     <message>
-        <source>Read-only: the file is larger than 10 MB.</source>
-        <translation>Schreibgeschützt: Die Datei ist größer als 10 MB.</translation>
+        <source>Read-only: the file is larger than 1 GB.</source>
+        <translation>Schreibgeschützt: Die Datei ist größer als 1 GB.</translation>
     </message>
     <message>
         <source>F&amp;ollow Program</source>

@@ -7683,8 +7683,8 @@ Default: 0 mm</source>
         <translation>읽기 전용이며 줄을 잘라 표시합니다. %1번째 줄이 %2자를 넘습니다.</translation>
     </message>
     <message>
-        <source>Read-only: the file is larger than 10 MB.</source>
-        <translation>읽기 전용: 파일이 10 MB보다 큽니다.</translation>
+        <source>Read-only: the file is larger than 1 GB.</source>
+        <translation>읽기 전용: 파일이 1 GB보다 큽니다.</translation>
     </message>
     <message>
         <source>F&amp;ollow Program</source>

@@ -14,8 +14,8 @@ namespace proveout {
 
 enum class LineEnd : std::uint8_t { lf, crLf, cr };
 
-/// Texts with more bytes are read-only: inserting in the middle of them would block the window.
-inline constexpr std::size_t kEditableBytes = 10'000'000;
+/// Texts with more bytes are read-only: an insertion moves up to all of them.
+inline constexpr std::size_t kEditableBytes = 1'000'000'000;
 
 /// Texts with a longer line are read-only and their long lines are cut off, because the editor lays out a
 /// whole line whenever it paints a part of it.

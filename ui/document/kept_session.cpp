@@ -49,8 +49,7 @@ Result<void> keepJob(const QString& folder, const JobDocument& document) {
 /// not.
 bool isKept(const JobDocument& document) {
     const Document& text = document.text();
-    const bool unsaved = text.modified || (text.path.empty() && document.jobModified());
-    return unsaved && text.text.size() <= kLargestKeptText;
+    return text.modified || (text.path.empty() && document.jobModified());
 }
 
 /// To check later whether a file is still the version that the unsaved changes are based on.

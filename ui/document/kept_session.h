@@ -16,10 +16,6 @@
 
 namespace proveout {
 
-/// Texts with more bytes are not backed up: writing them every few seconds would load the disk. They are
-/// read-only anyway (kEditableBytes), and unsaved only if their file has disappeared.
-inline constexpr std::size_t kLargestKeptText = 100'000'000;
-
 /// What belongs to a session besides its files. Value type.
 struct SessionState {
     QStringList breakpoints; ///< as KeptBreakpoints::written()

@@ -228,7 +228,7 @@ void EditorPanel::showReadOnly() {
                             ? tr("Read-only, with lines truncated: line %1 has more than %2 characters.")
                                   .arg(locale().toString(static_cast<qulonglong>(document.tooLongLine)),
                                        locale().toString(static_cast<qulonglong>(kEditableLine)))
-                            : tr("Read-only: the file is larger than 10 MB."));
+                            : tr("Read-only: the file is larger than 1 GB."));
 }
 
 void EditorPanel::loadText() {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/autosave.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
+#include "core/base/stop_watch.h"
 #include "core/verification/findings/window_findings.h"
 #include "ui/files/kept_breakpoints.h"
 
@@ -50,8 +52,10 @@ void Autosave::keepNow(std::function<void()> done) {
     // The thread gets its own copies; the text is shared and immutable.
     m_task.start([this, folder = m_folder->path(), document = m_session.document().job(), state = m_keptState,
                   done = std::move(done)](const NewestTask::Reply& reply) {
+        const StopWatch watch;
         const Result<void> kept = keepOrReport(folder, document, state);
-        reply.post([this, kept, done] {
+        reply.post([this, kept, done, seconds = watch.seconds()] {
+            rest(seconds);
             if (kept)
                 done();
             else if (!std::exchange(m_failed, true))
@@ -60,6 +64,13 @@ void Autosave::keepNow(std::function<void()> done) {
             m_otherDocument = m_otherDocument || !kept; // try again
         });
     });
+}
+
+void Autosave::rest(double seconds) {
+    constexpr double kRestPerWork = 20;
+    const int interval = std::max(kIntervalMs, static_cast<int>(kRestPerWork * seconds * 1000));
+    if (m_timer.isActive() && interval != m_timer.interval())
+        m_timer.setInterval(interval);
 }
 
 void Autosave::end() {

@@ -187,7 +187,8 @@ void DocumentHub::keepMine() {
 
 /// A file that was written again with the same content is not reported.
 void DocumentHub::watchedFileChanged() {
-    const bool quick = text().text.size() <= kEditableBytes;
+    constexpr std::size_t kQuicklyCompared = 10'000'000; // bytes
+    const bool quick = text().text.size() <= kQuicklyCompared;
     const Result<DiskState> state =
         quick ? m_job.textOnDisk().compare(text().path) : Result<DiskState>(DiskState::changed);
     if (state && *state == DiskState::same) {

@@ -454,7 +454,7 @@ private slots:
         QVERIFY(session.document().text().text.size() > 1'060'000);
     }
 
-    void largeTextsAreReadOnly() {
+    void largeTextsAreEditedOnceTheyAreWhole() {
         QTemporaryDir folder;
         const QString path = folder.filePath("large.nc");
         QFile file(path);
@@ -464,10 +464,14 @@ private slots:
         Session session;
         EditorPanel panel(session);
         QVERIFY(opened(session, path));
-        QVERIFY(session.document().text().readOnly);
-        QVERIFY(panel.editor().isReadOnly());
+        QVERIFY(!session.document().text().readOnly);
+        QVERIFY(panel.editor().isReadOnly()); // a part of it must not be edited
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().lines(), 600'001, kOpeningPatience);
-        QVERIFY(panel.editor().isReadOnly());
+        QVERIFY(!panel.editor().isReadOnly());
+        panel.editor().goTo(300'000, 5);
+        QTest::keyClicks(&panel.editor(), QStringLiteral("7"));
+        QCOMPARE(session.document().text().text.line(299'999), std::string_view("G1 X710 Y20 Z30 F1000"));
+        QCOMPARE(session.document().text().text.size(), std::size_t{600'000} * 21 + 1);
     }
 };
 
