@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // whole_run [RUNS [WORKLOAD…]]: what the real command line takes for whole programs, beside the sum of the
-// kernels that the work consists of, measured in this process and in the same run. Fails if a run takes more
-// than 1.5 times its kernels.
+// kernels that the work consists of, measured in this process and in the same run, and the start of the
+// program. Fails if a run takes more than 1.5 times as long.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -32,8 +32,9 @@ namespace {
 constexpr double kMostOfKernels = 1.5;
 constexpr double kMegabyte = 1e6;
 
-/// What a run does besides cutting.
-enum class Output : std::uint8_t { none, solid };
+/// What a run does: cut for the heights alone, record every block as well, or write the solid as STL.
+enum class Output : std::uint8_t { none, records, solid };
+constexpr const char* kOutputNames[]{"", "records", "STL"};
 
 struct Case {
     std::string_view workload;
@@ -46,7 +47,8 @@ constexpr Case kCases[]{
     {"die", 0.1, Output::none, 1},    {"die", 0.1, Output::none, 2},     {"die", 0.1, Output::solid, 2},
     {"panel", 1, Output::none, 1},    {"panel", 1, Output::none, 2},     {"panel", 1, Output::solid, 2},
     {"panel", 0.25, Output::none, 2}, {"panel", 0.25, Output::solid, 2}, {"panel", 0.1, Output::none, 1},
-    {"panel", 0.1, Output::none, 2},
+    {"panel", 0.1, Output::none, 2},  {"panel", 0.1, Output::solid, 2},  {"die", 0.1, Output::records, 2},
+    {"panel", 1, Output::records, 2},
 };
 
 std::string toolOf(const Workload& workload) {
@@ -55,13 +57,15 @@ std::string toolOf(const Workload& workload) {
 
 /// The seconds of one run of the kernels.
 struct Kernels {
+    double start = 0; ///< of the program, which then does nothing
     double interpret = 0;
     double records = 0;
     double heights = 0;
     double solid = 0; ///< decimation, closing, measuring and writing
 
     [[nodiscard]] double sum(Output output) const {
-        return interpret + records + (output == Output::solid ? solid : 0);
+        return start + interpret + (output == Output::records ? records : heights) +
+               (output == Output::solid ? solid : 0);
     }
 };
 
@@ -76,6 +80,7 @@ Kernels runKernels(const Case& one, const Workload& workload, const std::string&
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(one.threads));
     Kernels seconds;
+    seconds.start = runMeasured({PROVEOUT_CLI, "--version"}, folder).seconds;
     StopWatch watch;
     const auto program = interpret(NcText(text));
     seconds.interpret = lap(watch);
@@ -125,6 +130,8 @@ MeasuredRun runProduct(const Case& one, const Workload& workload, const std::fil
         words.insert(words.end(), {"--stl", "product.stl"});
     else
         words.insert(words.end(), {"--method", "none"});
+    if (one.output == Output::records)
+        words.emplace_back("--json");
     return runMeasured(words, folder);
 }
 
@@ -149,12 +156,13 @@ bool measure(const Case& one, const Workload& workload, int runs) {
     const Kernels& kernel = medianOf(kernels, [&](const Kernels& k) { return k.sum(one.output); });
     const double ratio = product.seconds / kernel.sum(one.output);
     const bool fine = product.exitCode == 0 && ratio <= kMostOfKernels;
-    fmt::print(
-        "| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} | {} | {:.2f}{} |\n",
-        workload.name, one.spacing, one.output == Output::solid ? "STL" : "", one.threads, product.seconds,
-        product.cpuSeconds, product.peakBytes / kMegabyte, kernel.interpret, kernel.records, kernel.heights,
-        one.output == Output::solid ? fmt::format("{:.2f}", kernel.solid) : "", ratio,
-        fine ? "" : " **too slow, or failed**");
+    fmt::print("| {} | {} | {} | {} | {:.2f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {} | "
+               "{:.2f}{} |\n",
+               workload.name, one.spacing, kOutputNames[static_cast<std::size_t>(one.output)], one.threads,
+               product.seconds, product.cpuSeconds, product.peakBytes / kMegabyte, kernel.start,
+               kernel.interpret, kernel.records, kernel.heights,
+               one.output == Output::solid ? fmt::format("{:.2f}", kernel.solid) : "", ratio,
+               fine ? "" : " **too slow, or failed**");
     std::fflush(stdout);
     return fine;
 }
@@ -166,9 +174,10 @@ int main(int argc, char** argv) {
     using namespace proveout::bench;
     const int runs = argc > 1 ? std::stoi(argv[1]) : 5;
     const std::vector<std::string_view> names(argv + std::min(argc, 2), argv + argc);
-    fmt::print("| program | grid | | threads | product s | its CPU s | its peak MB | interpret | records | "
-               "heights | "
-               "solid | product / kernels |\n|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+    fmt::print(
+        "| program | grid | | threads | product s | its CPU s | its peak MB | start | interpret | records | "
+        "heights | "
+        "solid | product / kernels |\n|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
     bool fine = true;
     for (const Case& one : kCases) {
         const auto workload = std::ranges::find(workloads(), one.workload, &Workload::name);

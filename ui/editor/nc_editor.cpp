@@ -72,8 +72,6 @@ NcEditor::NcEditor(QWidget* parent)
     setUpMargins();
     setWrapMode(WrapNone);
     setAnnotationDisplay(AnnotationHidden); // otherwise loading a text would query each line
-    // Colours come later where styling all of the text before them would block the window.
-    SendScintilla(SCI_SETIDLESTYLING, static_cast<unsigned long>(SC_IDLESTYLING_TOVISIBLE));
     setScrollWidthTracking(true);
     setScrollWidth(1);
     SendScintilla(SCI_SETCARETLINEVISIBLEALWAYS, 1UL);

@@ -116,6 +116,13 @@ QString NcHighlighter::description(int style) const {
     return style < kNcStyleCount ? QString::number(style) : QString();
 }
 
+void NcHighlighter::setEditor(QsciScintilla* editor) {
+    QsciLexerCustom::setEditor(editor);
+    if (editor != nullptr)
+        editor->SendScintilla(QsciScintilla::SCI_SETIDLESTYLING,
+                              static_cast<unsigned long>(QsciScintilla::SC_IDLESTYLING_TOVISIBLE));
+}
+
 void NcHighlighter::styleText(int start, int end) {
     QsciScintilla* view = editor();
     const long firstLine =

@@ -25,7 +25,8 @@ inline constexpr int kNcStyleCount = 7;
 /// The style of every byte of one line; comments do not cross lines.
 [[nodiscard]] std::string styleLine(std::string_view line, DialectId dialect);
 
-/// Colours the words of NC text. Set it before a text is loaded: Scintilla then styles only the visible part.
+/// Colours the words of NC text. Set it before a text is loaded: Scintilla then styles no more than the text
+/// up to the visible part, and a long one in the idle time of the window, so that its colours come later.
 class NcHighlighter final : public QsciLexerCustom {
     Q_OBJECT
 
@@ -34,6 +35,7 @@ public:
 
     [[nodiscard]] const char* language() const override;
     [[nodiscard]] QString description(int style) const override;
+    void setEditor(QsciScintilla* editor) override;
     void styleText(int start, int end) override;
     /// Uses the colours of the application's palette.
     void adoptPalette();

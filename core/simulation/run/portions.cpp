@@ -16,8 +16,10 @@ constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which 
 /// Time of a portion without checkpoints: a stop may wait for it.
 constexpr double kLongestSeconds = 0.08;
 constexpr std::size_t kFirstPortion = 1; // a stop of blocks that take long loses one
-/// A record for each motion is kept until the portion is done: 8 MB.
+/// Motions and their records are kept until the portion is done: 9 MB, and 36 MB where portions may be long,
+/// because the memory of the cutting is then allocated less often.
 constexpr std::size_t kMostMotions = 32'768;
+constexpr std::size_t kMostMotionsOfLong = 4 * kMostMotions;
 /// A block with more motions, e.g. a drilling cycle, is cut alone: a stop must not lose the blocks before it.
 constexpr std::size_t kMotionsOfLongBlock = 1000;
 
@@ -32,14 +34,14 @@ Portions::Portions(const Program& program, bool remembers, bool mayStop)
                                     : mayStop ? kLongestSeconds
                                               : std::numeric_limits<double>::infinity()),
       m_largest(std::max(remembers ? checkpointBlocks(program) / 2 : program.blockCount(), kFirstPortion)),
-      m_blocks(kFirstPortion) {}
+      m_mostMotions(mayStop ? kMostMotions : kMostMotionsOfLong), m_blocks(kFirstPortion) {}
 
 std::size_t Portions::from(std::size_t first, std::size_t end) const {
     const std::size_t most = std::min(m_blocks, end - first);
     const std::size_t begin = m_program.blockMotions(first).first;
     for (std::size_t count = 0; count < most; ++count) {
         const auto motions = m_program.blockMotions(first + count);
-        if (motions.last - motions.first > kMotionsOfLongBlock || motions.last - begin > kMostMotions)
+        if (motions.last - motions.first > kMotionsOfLongBlock || motions.last - begin > m_mostMotions)
             return std::max<std::size_t>(count, 1);
     }
     return most;

@@ -28,6 +28,7 @@ private:
     const Program& m_program;
     double m_longest; ///< seconds of a portion
     std::size_t m_largest;
+    std::size_t m_mostMotions;
     std::size_t m_blocks;
 };
 
