@@ -6,7 +6,7 @@
 namespace proveout {
 
 HeightPages HeightPages::of(const Grid& grid, int most) {
-    const auto countFor = [](int points, int usable) { return (points + usable - 1) / usable; };
+    const auto countFor = [](int total, int usable) { return (total + usable - 1) / usable; };
     HeightPages pages;
     pages.margin = grid.nx <= most && grid.ny <= most ? 0 : kMargin;
     const int usable = std::max(most - 2 * pages.margin, 1);
