@@ -15,7 +15,7 @@ void run(std::size_t count, std::size_t grain, Work work, const void* body);
 } // namespace parallel_detail
 
 /// Calls `body(first, last)` for ranges that together are [0, count), several at once, and returns when all
-/// have returned. A range has at least `grain` numbers, unless there are no more. What was written before the
+/// have returned. Ranges of up to `grain` numbers are not divided. What was written before the
 /// call is seen by each of them, and what they write is seen after it. An exception of the body is thrown
 /// again here; other ranges may not have been called then.
 template<class Body>
@@ -37,14 +37,14 @@ void inParallel(std::size_t count, const Body& body) {
     });
 }
 
-/// The largest of `valueOf(k)` for all k below `count`; at least 0. Values are cheap: many are one task.
+/// The largest of `valueOf(k)` for all k below `count`; at least 0. `valuesOfTask` are found one after the
+/// other.
 template<class ValueOf>
-double largestInParallel(std::size_t count, const ValueOf& valueOf) {
-    constexpr std::size_t kValuesOfTask = 256;
-    std::vector<double> largest((count + kValuesOfTask - 1) / kValuesOfTask, 0.0);
+double largestInParallel(std::size_t count, std::size_t valuesOfTask, const ValueOf& valueOf) {
+    std::vector<double> largest((count + valuesOfTask - 1) / valuesOfTask, 0.0);
     inParallel(largest.size(), [&](std::size_t task) {
-        const std::size_t first = task * kValuesOfTask;
-        for (std::size_t k = first; k < std::min(first + kValuesOfTask, count); ++k)
+        const std::size_t first = task * valuesOfTask;
+        for (std::size_t k = first; k < std::min(first + valuesOfTask, count); ++k)
             largest[task] = std::max<double>(largest[task], valueOf(k));
     });
     return largest.empty() ? 0 : *std::ranges::max_element(largest);

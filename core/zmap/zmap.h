@@ -99,9 +99,9 @@ public:
     [[nodiscard]] const Tile& tile(std::size_t index) const { return *m_tiles[index]; }
     /// The grid points of tile `index`.
     [[nodiscard]] IndexRect tileRect(std::size_t index) const;
-    /// Copies the tile first if a snapshot shares it.
+    /// Copies the tile first if a snapshot shares it, or other uncut tiles.
     [[nodiscard]] Tile& tileForWriting(std::size_t index);
-    /// The tile if no snapshot shares it, else nullptr: then a worker makes its own copy and passes it to
+    /// The tile if nothing shares it, else nullptr: then a worker makes its own copy and passes it to
     /// `adoptTile` on the owner's thread once it knows that heights have changed.
     [[nodiscard]] Tile* ownedTile(std::size_t index);
     /// Replaces a shared tile.

@@ -157,7 +157,8 @@ double measureSurfaceError(const ZMapSnapshot& zmap, std::span<const LatticeTria
         const auto j = static_cast<int>(lattice / nx);
         return Vec3(i, j, static_cast<double>(zmap.height(i, j)));
     };
-    const double alongEdges = largestInParallel(triangles.size(), [&](std::size_t t) {
+    constexpr std::size_t kTrianglesOfTask = 256;
+    const double alongEdges = largestInParallel(triangles.size(), kTrianglesOfTask, [&](std::size_t t) {
         double largest = 0;
         for (std::size_t k = 0; k < 3; ++k)
             largest = std::max(

@@ -232,13 +232,14 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
                          ErrorLevel level, const WorkContext& context) {
     const SolidTop top(zmap, solid, type);
     const std::size_t triangles = solid.triangles.size();
+    constexpr std::size_t kTrianglesOfTask = 256;
     double largest = 0;
     if (level == ErrorLevel::surface)
-        largest = largestInParallel(triangles,
+        largest = largestInParallel(triangles, kTrianglesOfTask,
                                     [&](std::size_t t) { return context.stopped() ? 0 : top.alongEdges(t); });
     const RowBands bands(top.rows(), triangles, [&](std::size_t t) { return top.rowsOf(t); });
     Tally tally(context, bands.count());
-    const double atPoints = largestInParallel(bands.count(), [&](std::size_t band) {
+    const double atPoints = largestInParallel(bands.count(), 1, [&](std::size_t band) {
         const double error = errorOfBand(top, bands, band, context.stop);
         if (!context.stopped())
             tally.finished();

@@ -9,7 +9,7 @@ namespace proveout {
 
 /// The volume that a map has lost since a moment, from its heights alone: for runs without records. It is
 /// summed tile by tile, in double, where the sum of a tile's heights is all but exact: a single point that
-/// was lowered by the least step of its float counts, and a map that was not cut gives 0.
+/// was lowered by a step of 1 nm counts, and a map that was not cut gives 0.
 class RemovedVolume {
 public:
     /// From this moment on. Reads every height; several threads inside.

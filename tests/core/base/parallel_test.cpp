@@ -38,13 +38,15 @@ TEST(Parallel, FindsTheLargest) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
-    EXPECT_EQ(largestInParallel(0, [](std::size_t) { return 1.0; }), 0);
+    EXPECT_EQ(largestInParallel(0, 7, [](std::size_t) { return 1.0; }), 0);
     for (int round = 0; round < roundsOf(100); ++round) {
         std::vector<double> values(1 + random() % 2000);
         for (double& value : values)
             value = std::uniform_real_distribution<double>(-1, 1)(random);
         const double largest = std::max(0.0, *std::ranges::max_element(values));
-        ASSERT_EQ(largestInParallel(values.size(), [&](std::size_t k) { return values[k]; }), largest);
+        const std::size_t valuesOfTask = 1 + random() % 300;
+        ASSERT_EQ(largestInParallel(values.size(), valuesOfTask, [&](std::size_t k) { return values[k]; }),
+                  largest);
     }
 }
 
