@@ -35,7 +35,7 @@ DiskCopy copyOf(const Document& text) {
 
 /// What the file contains, if it still has this digest; otherwise no file.
 DiskCopy copyWith(const std::string& digest, const std::filesystem::path& file) {
-    DiskCopy now = copyOf(file);
+    DiskCopy now = DiskCopy::read(file, kEditableBytes).value_or(DiskCopy());
     return !digest.empty() && now.digest() == digest ? now : DiskCopy();
 }
 

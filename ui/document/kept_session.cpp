@@ -49,7 +49,8 @@ Result<void> keepJob(const QString& folder, const JobDocument& document) {
 /// not.
 bool isKept(const JobDocument& document) {
     const Document& text = document.text();
-    return text.modified || (text.path.empty() && document.jobModified());
+    const bool unsaved = text.modified || (text.path.empty() && document.jobModified());
+    return unsaved && text.text.size() <= kEditableBytes; // a longer one has only lost its file
 }
 
 /// To check later whether a file is still the version that the unsaved changes are based on.

@@ -117,7 +117,8 @@ void NcEditor::showDialect(DialectId dialect) {
     if (dialect == m_highlighter.dialect())
         return;
     m_highlighter.setDialect(dialect);
-    SendScintilla(SCI_STARTSTYLING, 0UL); // Scintilla restyles the visible lines when they are painted
+    SendScintilla(SCI_STARTSTYLING,
+                  0UL); // Scintilla restyles what is visible when it is painted or soon after
     viewport()->update();
 }
 

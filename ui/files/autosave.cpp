@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 #include "core/base/stop_watch.h"
@@ -28,6 +29,7 @@ Autosave::Autosave(Session& session, const QString& root, std::function<QByteArr
     if (Result<SessionFolder> folder = SessionFolder::create(root))
         m_folder = std::move(*folder);
     connect(&session.document(), &DocumentHub::changed, this, [this] { m_otherDocument = true; });
+    connect(&session.document(), &DocumentHub::textReplaced, this, [this] { rest(0); });
     connect(&m_timer, &QTimer::timeout, this, &Autosave::look);
     m_timer.start(kIntervalMs);
 }
@@ -37,6 +39,8 @@ SessionState Autosave::state() const {
 }
 
 void Autosave::look() {
+    if (m_writing)
+        return;
     m_session.job().collectChanges();
     if (m_otherDocument || m_keptRevision != m_session.document().job().revision() ||
         !(m_keptState == state()))
@@ -46,24 +50,44 @@ void Autosave::look() {
 void Autosave::keepNow(std::function<void()> done) {
     if (!m_folder)
         return;
+    m_waiting.push_back(std::move(done));
+    if (!m_writing)
+        write();
+}
+
+void Autosave::write() {
+    m_writing = true;
     m_otherDocument = false;
     m_keptRevision = m_session.document().job().revision();
     m_keptState = state();
     // The thread gets its own copies; the text is shared and immutable.
     m_task.start([this, folder = m_folder->path(), document = m_session.document().job(), state = m_keptState,
-                  done = std::move(done)](const NewestTask::Reply& reply) {
+                  done = std::exchange(m_waiting, {})](const NewestTask::Reply& reply) mutable {
         const StopWatch watch;
         const Result<void> kept = keepOrReport(folder, document, state);
-        reply.post([this, kept, done, seconds = watch.seconds()] {
-            rest(seconds);
-            if (kept)
-                done();
-            else if (!std::exchange(m_failed, true))
-                m_session.problems().report(kept.error());
-            m_failed = !kept;
-            m_otherDocument = m_otherDocument || !kept; // try again
+        reply.post([this, kept, done = std::move(done), seconds = watch.seconds()]() mutable {
+            written(kept, seconds, std::move(done));
         });
     });
+}
+
+void Autosave::written(const Result<void>& kept, double seconds, std::vector<std::function<void()>> done) {
+    m_writing = false;
+    if (!m_otherDocument) // its text may be short
+        rest(seconds);
+    const bool asked = !m_waiting.empty(); // since that write began
+    if (kept) {
+        for (const auto& each : done)
+            each();
+    } else {
+        if (!m_failed)
+            m_session.problems().report(kept.error());
+        m_otherDocument = true; // try again
+        std::ranges::move(done, std::back_inserter(m_waiting));
+    }
+    m_failed = !kept;
+    if (asked && m_folder)
+        write();
 }
 
 void Autosave::rest(double seconds) {

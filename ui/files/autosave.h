@@ -26,14 +26,16 @@ public:
     /// The session must outlive this object. `layout` returns the layout of the window.
     Autosave(Session& session, const QString& root, std::function<QByteArray()> layout);
 
-    /// Writes now; `done` is called after a successful write.
+    /// Writes now, or after the write in progress; `done` is called after a successful write.
     void keepNow(std::function<void()> done);
     /// The session ends normally: its backup is no longer needed.
     void end();
 
 private:
     void look();
+    void write();
     /// After a backup that took that long.
+    void written(const Result<void>& kept, double seconds, std::vector<std::function<void()>> done);
     void rest(double seconds);
     [[nodiscard]] SessionState state() const;
 
@@ -44,6 +46,8 @@ private:
     SessionState m_keptState;
     bool m_otherDocument = true; ///< since the last time
     bool m_failed = false;       ///< reported only once
+    bool m_writing = false;      ///< nothing is started then: the task's reply would be dropped
+    std::vector<std::function<void()>> m_waiting; ///< to be called after the next write
     QTimer m_timer;
     NewestTask m_task; ///< last member: its thread must end before the members that it posts to are destroyed
 };

@@ -185,7 +185,7 @@ void DocumentHub::keepMine() {
     emit changed();
 }
 
-/// A file that was written again with the same content is not reported.
+/// A file that was written again with the same content is not reported, unless comparing it would take long.
 void DocumentHub::watchedFileChanged() {
     constexpr std::size_t kQuicklyCompared = 10'000'000; // bytes
     const bool quick = text().text.size() <= kQuicklyCompared;
