@@ -2,8 +2,17 @@
 #include "ui/gl/height_texture.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 namespace proveout {
+
+namespace {
+
+/// The index of a point on the floor, which comes after all of the surface, is a signed number in the shader.
+constexpr std::int64_t kMostPoints = std::int64_t{1} << 30;
+
+} // namespace
 
 HeightPages HeightTexture::pagesOf(Gl& gl, const Grid& grid) const {
     GLint limit = 0;
@@ -14,7 +23,16 @@ HeightPages HeightTexture::pagesOf(Gl& gl, const Grid& grid) const {
 bool HeightTexture::fits(Gl& gl, const Grid& grid) const {
     GLint limit = 0;
     gl.glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &limit);
-    return pagesOf(gl, grid).count() <= limit;
+    const bool counted = static_cast<std::int64_t>(grid.nx) * grid.ny <= kMostPoints;
+    return counted && pagesOf(gl, grid).count() <= limit && !(m_refused == grid);
+}
+
+HeightTexture::Uploaded HeightTexture::refuse(Gl& gl) {
+    m_refused = m_grid;
+    release(gl);
+    Uploaded uploaded;
+    uploaded.fits = false;
+    return uploaded;
 }
 
 bool HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
@@ -40,10 +58,9 @@ bool HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
     }
     gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y, m_pages.count(),
                     0, GL_RED, GL_FLOAT, nullptr);
-    if (gl.glGetError() != GL_NO_ERROR) {
-        release(gl);
+    m_untried = true;
+    if (gl.glGetError() != GL_NO_ERROR)
         return false;
-    }
     clearOutside(gl);
     return true;
 }
@@ -104,9 +121,8 @@ HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment
                                               const UploadBudget& budget) {
     Uploaded uploaded;
     if (m_texture == 0 || !(moment.grid() == m_grid) || moment.floor() != m_floor) {
-        uploaded.fits = restart(gl, moment);
-        if (!uploaded.fits)
-            return uploaded;
+        if (!restart(gl, moment))
+            return refuse(gl);
     } else {
         gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_texture);
     }
@@ -122,6 +138,8 @@ HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment
     gl.glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
     gl.glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    if (uploaded.tiles > 0 && std::exchange(m_untried, false) && gl.glGetError() == GL_OUT_OF_MEMORY)
+        return refuse(gl);
     return uploaded;
 }
 

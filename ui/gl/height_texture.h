@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/zmap/zmap.h"
@@ -22,7 +23,7 @@ public:
     HeightTexture(const HeightTexture&) = delete;
     HeightTexture& operator=(const HeightTexture&) = delete;
 
-    /// Whether the driver accepts that many pages.
+    /// Whether the driver accepts that many pages; false too for the last grid that it had no memory for.
     [[nodiscard]] bool fits(Gl& gl, const Grid& grid) const;
 
     struct Uploaded {
@@ -48,6 +49,8 @@ private:
     bool restart(Gl& gl, const ZMapSnapshot& moment);
     /// Points of pages that are not in the grid: interpolation must not meet whatever was in that memory.
     void clearOutside(Gl& gl);
+    /// Frees what it has of a grid that does not fit.
+    [[nodiscard]] Uploaded refuse(Gl& gl);
     /// Returns the number of bytes uploaded.
     std::size_t upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index);
 
@@ -55,6 +58,8 @@ private:
     GLuint m_texture = 0;
     HeightPages m_pages;
     Grid m_grid;
+    std::optional<Grid> m_refused; ///< the driver had no memory for it
+    bool m_untried = true;         ///< drivers may take the memory at the first upload only
     float m_floor = 0;
     std::vector<std::shared_ptr<const Tile>> m_tiles; ///< the uploaded tiles; null: not uploaded yet
     std::vector<bool> m_onFloor;                      ///< per tile

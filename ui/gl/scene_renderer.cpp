@@ -63,8 +63,10 @@ bool SceneRenderer::uploadBox(const FramePtr& box, const UploadBudget& budget) {
     if (box != m_box) {
         m_box.reset(); // the uploaded content no longer belongs to that frame
         const UploadCounts counts = m_boxSurface.upload(m_gl, *box, budget);
-        if (!counts.fits)
+        if (!counts.fits) {
+            m_boxIn.reset();
             return false;
+        }
         m_boxPending = !counts.whole;
         if (m_boxPending)
             return true;

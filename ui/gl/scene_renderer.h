@@ -23,12 +23,12 @@ public:
     SceneRenderer(const SceneRenderer&) = delete;
     SceneRenderer& operator=(const SceneRenderer&) = delete;
 
-    /// Uploads what differs from the previous frame. If the grid exceeds the driver's limit, no stock is
-    /// drawn and gridFits() is false.
+    /// Uploads what differs from the previous frame. If the driver cannot hold the heights of
+    /// the grid, no stock is drawn and gridFits() is false.
     UploadCounts upload(const FramePtr& frame);
     /// Sets a detail region, whose z-map and surface are drawn in place of that part of the uploaded frame;
-    /// null: none. It is drawn once it is complete, which may take several calls. Returns false if the region
-    /// has more points along a side than the driver supports; it is not drawn then.
+    /// null: none. It is drawn once it is complete, which may take several calls. Returns false if the driver
+    /// cannot hold its heights; it is not drawn then.
     bool uploadBox(const FramePtr& box, const UploadBudget& budget = {});
     /// Whether the detail region needs another call.
     [[nodiscard]] bool boxPending() const { return m_boxPending; }
