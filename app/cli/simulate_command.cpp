@@ -6,18 +6,15 @@
 #include <ctime>
 #include <fmt/core.h>
 #include <memory>
-#include <new>
 #include <optional>
-#include <stop_token>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "app/cli/box_output.h"
 #include "app/cli/command.h"
+#include "app/cli/final_surface.h"
 #include "app/cli/load_program.h"
 #include "app/cli/machine_report.h"
-#include "app/cli/measured_surface.h"
 #include "app/cli/mesh_outputs.h"
 #include "app/cli/outputs.h"
 #include "app/cli/records_csv.h"
@@ -28,15 +25,12 @@
 #include "app/cli/tool_report.h"
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
-#include "core/base/memory_watch.h"
 #include "core/base/stop_watch.h"
-#include "core/decimation/surface/refined_surface.h"
 #include "core/formats/stock_file.h"
 #include "core/simulation/records/block_provenance.h"
 #include "core/simulation/records/block_records.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/setup/tool_choice.h"
-#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout::cli {
 
@@ -247,67 +241,20 @@ private:
     bool decimate() {
         if (!m_options.json && !m_options.meshes.wanted())
             return true;
-        return unlessTooLarge([this] { return makeSurface(); });
+        const bool made = m_surface.make(*m_simulation, order(), m_report);
+        m_seconds.decimate += m_surface.decimationSeconds();
+        m_seconds.evaluate += lap() - m_surface.decimationSeconds();
+        return made;
     }
 
-    /// The result of `make()`, which is false if the surface needs too much memory; that is reported.
-    template<class Make>
-    bool unlessTooLarge(const Make& make) {
-        const double available = availableBytes();
-        try {
-            if (make())
-                return true;
-        } catch (const std::bad_alloc&) {
-            m_measured = {};
-        } catch (const std::system_error&) { // no memory for another thread
-            m_measured = {};
-        }
-        refuseSurface(available);
-        return false;
-    }
-
-    void refuseSurface(double available) {
-        m_surface.reset();
-        const Grid& grid = m_frame.zmap.grid();
-        const auto would = finestSpacing(m_job.setup.stock, zmapBytes(grid) + available,
-                                         meshBytesPerPoint(scheduled(), mapOutputs()));
-        m_report.addFatal(
-            failure(command_line_finding::kSurfaceNeedsTooMuchMemory,
-                    {readableBytes(available), fmt::format("{:g}", would.value_or(m_job.setup.spacing))})
-                .value());
-    }
-
-    /// What this run may still allocate. (Asking the system again would count the threads twice.)
-    [[nodiscard]] double availableBytes() const {
-        return std::max(0.0, static_cast<double>(m_mostBytes) - static_cast<double>(residentMemoryBytes()));
-    }
-
-    /// False if the surface would need more memory than there is.
-    bool makeSurface() {
-        // Whatever the surface looks like, it fits; otherwise it is watched.
-        const bool fits = forecastBytes() <= static_cast<double>(m_limitBytes);
-        std::optional<MemoryWatch> watch;
-        if (!fits)
-            watch.emplace(m_mostBytes);
-        const WorkContext context{watch ? watch->stop() : std::stop_token(), {}};
-        const Grid& grid = m_frame.zmap.grid();
-        m_surface = m_options.mesh == "decimated" ? decimatedSurface(context)
-                                                  : Surface(grid.nx, grid.ny, m_job.parameters).snapshot();
-        m_seconds.decimate += lap();
-        if (!fits &&
-            (watch->exceeded() || surfaceBytes(grid, m_surface->faces, mapOutputs()) > availableBytes()))
-            return false;
-        m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters);
-        m_seconds.evaluate += lap();
-        return true;
-    }
-
-    /// Within the allowance in the files too. Otherwise the regions of the simulation are used again.
-    [[nodiscard]] SurfaceSnapshot decimatedSurface(const WorkContext& context) const {
-        const DecimationParameters parameters =
-            allowForRounding(scheduled(), m_options.meshes.coordinates(), m_job.setup.stock);
-        return parameters == scheduled() ? m_simulation->decimatedNow(context)
-                                         : decimatedWhole(m_frame.zmap, forExport(parameters), context);
+    [[nodiscard]] FinalSurface::Order order() const {
+        return {.job = m_job,
+                .scheduled = scheduled(),
+                .outputs = mapOutputs(),
+                .forecastBytes = forecastBytes(),
+                .coordinates = m_options.meshes.coordinates(),
+                .decimated = m_options.mesh == "decimated",
+                .measured = m_options.json};
     }
 
     /// The files that need no surface, so that they are written even if there is not enough memory for one.
@@ -329,10 +276,7 @@ private:
     bool writeMeshes() {
         if (!m_options.meshes.wanted())
             return true;
-        const bool complete = unlessTooLarge([this] {
-            m_written = m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters, m_report);
-            return true;
-        });
+        const bool complete = m_surface.write(m_options.meshes, m_frame.zmap, order(), m_report);
         m_seconds.write += lap();
         return complete;
     }
@@ -358,12 +302,12 @@ private:
             {"removedMm3", m_frame.removedMm3},
             {"machineSeconds",
              machineSeconds(*m_times, m_frame.block, !m_job.machine, ToolChoice(*m_program, m_job.setup))},
-            {"facesFull", m_surface->facesFull},
-            {"facesDecimated", m_surface->faces},
-            {"largestErrorMm",
-             largestErrorMm(m_measured.largestErrorMm, m_written, m_job.parameters.allowance)},
-            {"errorLevel", m_measured.level},
-            {"regions", m_surface->grid.regionCount()},
+            {"facesFull", m_surface.surface().facesFull},
+            {"facesDecimated", m_surface.surface().faces},
+            {"largestErrorMm", largestErrorMm(m_surface.measured().largestErrorMm, m_surface.written(),
+                                              m_job.parameters.allowance)},
+            {"errorLevel", m_surface.measured().level},
+            {"regions", m_surface.surface().grid.regionCount()},
             {"method", kMethodChoices[static_cast<std::size_t>(m_job.parameters.method)].key},
             {"mesh", m_options.mesh},
             {"seconds",
@@ -382,7 +326,7 @@ private:
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
         out["records"] = totals();
-        m_options.meshes.addTo(out, m_written);
+        m_options.meshes.addTo(out, m_surface.written());
         if (m_options.box.wanted())
             out["box"] = m_options.box.object();
         out["ignoredCodes"] = ignoredCodes();
@@ -459,14 +403,13 @@ private:
         if (m_job.setup.automaticGrid)
             fmt::print("grid: {:g} mm (automatic), {} × {} points\n", m_job.setup.spacing, grid.nx, grid.ny);
         printTools(m_job.setup.tools, true);
-        printFiles(m_written);
+        printFiles(m_surface.written());
         m_options.box.print();
     }
 
     SimulateOptions& m_options;
     const StopWatch m_watch;
-    const std::uint64_t m_limitBytes = memoryLimitBytes();
-    const std::uint64_t m_mostBytes = residentMemoryBytes() + m_limitBytes; ///< resident
+    FinalSurface m_surface; ///< if JSON or a mesh file was requested
     Report m_report;
     Job m_job;
     std::shared_ptr<const Program> m_program;
@@ -474,10 +417,7 @@ private:
     Frame m_frame;
     ZMapSnapshot m_uncut; ///< if provenance was requested
     std::shared_ptr<const MachineTimes> m_times;
-    RunTotals m_totals;                       ///< if JSON was requested
-    std::optional<SurfaceSnapshot> m_surface; ///< if JSON or a mesh file was requested
-    MeasuredSurface m_measured;
-    std::vector<MeshOutput> m_written;
+    RunTotals m_totals; ///< if JSON was requested
     Seconds m_seconds;
     double m_lapped = 0; ///< seconds after which the present phase began
 };
