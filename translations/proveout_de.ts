@@ -9092,6 +9092,10 @@ Datei nicht gefunden.</translation>
 <context>
     <name>StatusLine</name>
     <message>
+        <source>%1 · %2 left</source>
+        <translation>%1 · noch %2</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>

@@ -9091,6 +9091,10 @@ File not found.</source>
 <context>
     <name>StatusLine</name>
     <message>
+        <source>%1 · %2 left</source>
+        <translation>%1 · %2 남음</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>취소</translation>
     </message>

@@ -117,8 +117,7 @@ void NcEditor::showDialect(DialectId dialect) {
     if (dialect == m_highlighter.dialect())
         return;
     m_highlighter.setDialect(dialect);
-    SendScintilla(SCI_STARTSTYLING,
-                  0UL); // Scintilla restyles what is visible when it is painted or soon after
+    SendScintilla(SCI_STARTSTYLING, 0UL); // what is visible is styled when it is painted or soon after
     viewport()->update();
 }
 

@@ -19,6 +19,10 @@ constexpr std::array<const char*, kWorkKinds> kLabels{
 
 } // namespace
 
+WorkHub::WorkHub(QObject* parent) : QObject(parent) {
+    m_clock.start();
+}
+
 std::size_t WorkHub::shown() const {
     const auto found = std::ranges::find_if(m_work, [](const State& each) { return each.done.has_value(); });
     return static_cast<std::size_t>(found - m_work.begin());
@@ -35,10 +39,17 @@ void WorkHub::setCancel(WorkKind kind, std::function<void()> cancel) {
 }
 
 void WorkHub::set(WorkKind kind, std::optional<double> done) {
-    m_work.at(static_cast<std::size_t>(kind)).done = done;
+    State& state = m_work.at(static_cast<std::size_t>(kind));
+    state.done = done;
+    if (done)
+        state.forecast.follow(*done, static_cast<double>(m_clock.elapsed()) * 1e-3);
+    else
+        state.forecast.end();
     std::optional<Work> current;
-    if (const std::size_t index = shown(); index < kWorkKinds)
-        current = Work{tr(kLabels.at(index)), m_work.at(index).done.value_or(0)};
+    if (const std::size_t index = shown(); index < kWorkKinds) {
+        const State& of = m_work.at(index);
+        current = Work{tr(kLabels.at(index)), of.done.value_or(0), of.forecast.secondsLeft()};
+    }
     if (current == m_current)
         return;
     m_current = std::move(current);

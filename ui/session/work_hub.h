@@ -7,8 +7,11 @@
 #include <functional>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+
+#include "ui/session/work_forecast.h"
 
 namespace proveout {
 
@@ -19,7 +22,8 @@ inline constexpr std::size_t kWorkKinds = 5;
 /// A long operation in progress. Value type.
 struct Work {
     QString label;
-    double done = 0; ///< in [0, 1]
+    double done = 0;                ///< in [0, 1]
+    std::optional<int> secondsLeft; ///< as WorkForecast
 
     friend bool operator==(const Work&, const Work&) = default;
 };
@@ -29,7 +33,7 @@ class WorkHub final : public QObject {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit WorkHub(QObject* parent = nullptr);
 
     [[nodiscard]] const std::optional<Work>& current() const { return m_current; }
     /// Cancels current(); if nothing is shown, the work of the simulation.
@@ -46,12 +50,14 @@ signals:
 private:
     struct State {
         std::optional<double> done;
+        WorkForecast forecast;
         std::function<void()> cancel;
     };
     /// The index of the operation that is shown; kWorkKinds if there is none.
     [[nodiscard]] std::size_t shown() const;
 
     std::array<State, kWorkKinds> m_work;
+    QElapsedTimer m_clock;
     std::optional<Work> m_current;
 };
 

@@ -42,6 +42,11 @@ QString wordValue(QLocale locale, double value) {
     return locale.toString(value, 'g', 6);
 }
 
+/// "1:05", minutes and seconds.
+QString minutesText(int seconds) {
+    return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
+}
+
 /// The last motion that was executed in the frame.
 Motion lastMotion(const Frame& frame) {
     return frame.program->motion(frame.program->blockMotions(frame.block - 1).last - 1);
@@ -275,10 +280,13 @@ void StatusLine::showWork() {
     if (!work)
         return;
     // The label is inside the bar: next to it, it would force a narrow window to grow while the work runs.
-    if (m_progress->format() != work->label) {
-        m_progress->setFormat(work->label);
-        m_progress->setFixedWidth(std::max(
-            kProgressWidth, m_progress->fontMetrics().horizontalAdvance(work->label) + kProgressMargin));
+    const QString text = work->secondsLeft
+                             ? tr("%1 · %2 left").arg(work->label, minutesText(*work->secondsLeft))
+                             : work->label;
+    if (m_progress->format() != text) {
+        m_progress->setFormat(text);
+        m_progress->setFixedWidth(
+            std::max(kProgressWidth, m_progress->fontMetrics().horizontalAdvance(text) + kProgressMargin));
     }
     m_progress->setValue(static_cast<int>(work->done * kProgressSteps));
 }
