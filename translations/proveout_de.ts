@@ -7034,6 +7034,18 @@ Vorgabe: 0 mm</translation>
         <translation>Rohteil umgerechnet</translation>
     </message>
     <message>
+        <source>Surface too large</source>
+        <translation>Oberfläche zu groß</translation>
+    </message>
+    <message>
+        <source>The surface needs more than the {} of memory that are available, and is drawn without decimation; any surface on a grid of {} mm would fit.</source>
+        <translation>Die Oberfläche braucht mehr als die {} Speicher, die verfügbar sind, und wird ohne Dezimierung gezeichnet; auf einem Raster von {} mm würde jede Oberfläche passen.</translation>
+    </message>
+    <message>
+        <source>Choose a coarser grid or a larger allowance.</source>
+        <translation>Ein gröberes Raster oder eine größere Toleranz wählen.</translation>
+    </message>
+    <message>
         <source>Map too large for method</source>
         <translation>Z-Map zu groß für das Verfahren</translation>
     </message>
@@ -8810,8 +8822,8 @@ Keep Both saves your version as a new file in the same folder.</source>
 <context>
     <name>SetupPanel</name>
     <message>
-        <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
-        <translation>%1 × %2 Punkte im Abstand von %3 × %4 mm; braucht etwa %5</translation>
+        <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5, at most %6</source>
+        <translation>%1 × %2 Punkte im Abstand von %3 × %4 mm; braucht etwa %5, höchstens %6</translation>
     </message>
     <message>
         <source>Stock and grid</source>

@@ -7034,6 +7034,18 @@ Default: 0 mm</source>
         <translation>재샘플링된 소재</translation>
     </message>
     <message>
+        <source>Surface too large</source>
+        <translation>표면이 너무 큼</translation>
+    </message>
+    <message>
+        <source>The surface needs more than the {} of memory that are available, and is drawn without decimation; any surface on a grid of {} mm would fit.</source>
+        <translation>표면에 사용 가능한 메모리 {}보다 많은 메모리가 필요하여 단순화하지 않고 표시합니다. 격자 {} mm에서는 어떤 표면도 들어갑니다.</translation>
+    </message>
+    <message>
+        <source>Choose a coarser grid or a larger allowance.</source>
+        <translation>더 거친 격자나 더 큰 허용 오차를 선택하십시오.</translation>
+    </message>
+    <message>
         <source>Map too large for method</source>
         <translation>이 방법에 너무 큰 Z맵</translation>
     </message>
@@ -8809,8 +8821,8 @@ Keep Both saves your version as a new file in the same folder.</source>
 <context>
     <name>SetupPanel</name>
     <message>
-        <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
-        <translation>%1 × %2점, 간격 %3 × %4 mm, 약 %5 필요</translation>
+        <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5, at most %6</source>
+        <translation>%1 × %2점, 간격 %3 × %4 mm, 약 %5, 최대 %6 필요</translation>
     </message>
     <message>
         <source>Stock and grid</source>

@@ -174,6 +174,7 @@ private:
         const bool solid = m_options.meshes.wanted();
         const bool full = m_options.mesh == "full";
         return {.schedule = followsSchedule(),
+                .shaped = m_job.setup.shape.kind != StockKind::box,
                 .whole = !full && (solid || m_options.json),
                 .solid = solid,
                 .again = !m_options.provenance.empty(),

@@ -15,18 +15,19 @@ constexpr std::uint64_t kReserve = 32'000'000;
 
 MemoryWatch::MemoryWatch(std::uint64_t mostBytes, MemorySources sources, std::chrono::milliseconds between)
     : m_most(mostBytes), m_sources(std::move(sources)), m_between(between),
-      m_thread([this](const std::stop_token& end) { watch(end); }) {}
+      m_thread([this](const std::stop_token& end) { watch(end); }) {
+    if (isTooMuch())
+        m_work.request_stop();
+}
 
 MemoryWatch::~MemoryWatch() = default;
 
 void MemoryWatch::watch(const std::stop_token& end) {
     std::unique_lock lock(m_mutex);
-    while (!end.stop_requested()) {
-        if (isTooMuch()) {
-            m_work.request_stop();
-            return;
-        }
+    while (!end.stop_requested() && !exceeded()) {
         m_ended.wait_for(lock, end, m_between, [] { return false; });
+        if (!end.stop_requested() && isTooMuch())
+            m_work.request_stop();
     }
 }
 

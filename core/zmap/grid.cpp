@@ -26,8 +26,6 @@ constexpr double kLargestRatio = 1e5;
 constexpr double kFarthestCorner = 1e7;
 /// Neighbouring points of a grid are at least this many steps of a double apart.
 constexpr double kLeastSteps = 16;
-/// The map that is being cut and the uncut one, which is kept for a restart.
-constexpr double kMapsHeld = 2;
 /// A tile with its reference count and its place in the array.
 constexpr double kTileBytes = sizeof(Tile) + 64;
 
@@ -36,7 +34,7 @@ double pointsAlong(double length, double spacing) {
 }
 
 double bytesOf(double nx, double ny, double bytesPerPoint = 0) {
-    return std::ceil(nx / Tile::kSize) * std::ceil(ny / Tile::kSize) * kTileBytes * kMapsHeld +
+    return std::ceil(nx / Tile::kSize) * std::ceil(ny / Tile::kSize) * kTileBytes +
            nx * ny * bytesPerPoint;
 }
 

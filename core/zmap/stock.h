@@ -47,7 +47,7 @@ struct Grid {
 /// The number of points of that grid; 0 where it cannot be made.
 [[nodiscard]] double gridPoints(const StockBox& stock, double spacing);
 
-/// Bytes that a z-map over the grid needs while it is cut, without meshes and checkpoints.
+/// Bytes of a z-map over the grid in which every tile has been cut. (Uncut tiles of a box are one tile.)
 [[nodiscard]] double zmapBytes(const Grid& grid);
 
 /// The finest spacing, to three digits, whose map, with `bytesPerPoint` more for each point, needs no more

@@ -114,7 +114,7 @@ TEST_F(CliMemory, UnderAnAddressLimitTheFigureIsReportedAndWhatWouldFit) {
     const std::string limit = addressLimit(300);
     for (const std::string rest : {"--mesh full --stl s.stl", "--stl s.stl", "--provenance p.npy"}) {
         const std::string job = "simulate p.nc --json --stock 40x30x10 " + kTool + rest + " --grid ";
-        const auto refused = run(job + "0.005", limit);
+        const auto refused = run(job + "0.003", limit);
         EXPECT_EQ(refused.exitCode, 3);
         EXPECT_TRUE(refused.reports("", "grid-needs-too-much-memory")) << refused.err;
         EXPECT_FALSE(exists("s.stl"));

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/base/memory.h"
-#include "core/decimation/surface/map_memory.h"
 #include "core/simulation/run/interpretation.h"
 #include "core/simulation/setup/automatic_grid.h"
+#include "core/simulation/setup/setup_memory.h"
 #include "ui/program/program_index.h"
 #include "ui/session/playback_hub.h"
 #include "ui/session/program_hub.h"
@@ -62,10 +62,7 @@ void JobHub::setMachine(const Machine& machine) {
 
 /// Whether the z-map for the setup can be created.
 Result<void> JobHub::checkMap(const Setup& setup) const {
-    const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
-    if (!grid)
-        return tl::unexpected(grid.error());
-    return checkMapMemory(setup.stock, *grid, parameters(), {}, static_cast<double>(memoryLimitBytes()));
+    return checkSetupMemory(setup, parameters(), static_cast<double>(memoryLimitBytes()));
 }
 
 /// Applies a setup that has changed from `before`.

@@ -13,6 +13,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "core/simulation/setup/setup_memory.h"
 #include "core/verification/findings/window_findings.h"
 #include "ui/document/carried_values.h"
 #include "ui/document/file_paths.h"
@@ -156,10 +157,12 @@ void SetupPanel::showMemory(const Setup& setup) {
         m_memory->clear();
         return;
     }
-    m_memory->setText(tr("%1 × %2 points, spacing %3 × %4 mm; needs about %5")
+    const MemoryForecast memory = memoryForecast(setup, *grid, m_session.job().parameters());
+    m_memory->setText(tr("%1 × %2 points, spacing %3 × %4 mm; needs about %5, at most %6")
                           .arg(locale().toString(grid->nx), locale().toString(grid->ny),
                                locale().toString(grid->hx, 'g', 5), locale().toString(grid->hy, 'g', 5),
-                               figuresText(readableBytes(zmapBytes(*grid)))));
+                               figuresText(readableBytes(memory.expected)),
+                               figuresText(readableBytes(memory.most))));
 }
 
 /// `setup` with the values of the form, except shape and size of the stock, whose body may have to be

@@ -19,6 +19,7 @@ constexpr double kMeasured = 30; ///< all triangles a second time, and the dista
 constexpr double kSolid = 135;   ///< including the list of triangles that becomes its own
 constexpr double kAgain = 13;    ///< two maps and 4 bytes per mark
 constexpr double kMachined = 12; ///< all of that for a machined surface: 10 to 12 in the runs of whole_run
+constexpr double kMap = 4.1;     ///< another map, in tiles
 /// A region with its borders and its entries in arrays, without triangles; measured on planes.
 constexpr double kRegion = 500;
 
@@ -46,26 +47,46 @@ int layers(int cells, int mostCells) {
     return count;
 }
 
+/// Of regions without triangles.
+double emptyRegionBytesPerPoint(const DecimationParameters& parameters) {
+    return kRegion / (parameters.regionCells * parameters.regionCells);
+}
+
 /// For the regions alone, and while they are made.
 double regionBytesPerPoint(const DecimationParameters& parameters) {
     const DecimationMethodRow& method = row(parameters.method);
-    if (method.wholeMap)
-        return method.bytesPerPoint;
-    return method.bytesPerPoint + kRegion / (parameters.regionCells * parameters.regionCells);
+    return method.bytesPerPoint + (method.wholeMap ? 0 : emptyRegionBytesPerPoint(parameters));
 }
 
-/// What is taken whatever the surface looks like. A method that works on the whole map takes all at once.
-MapOutputs certainOutputs(const DecimationParameters& parameters, MapOutputs outputs) {
-    if (outputs.watched && decimatesWhole(parameters, outputs) && !row(parameters.method).wholeMap)
-        outputs.whole = outputs.solid = false;
-    return outputs;
+/// The maps beside the one that is cut.
+double mapsBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
+    return (followsSchedule(parameters, outputs) ? kMap : 0) + (outputs.shaped ? kMap : 0);
+}
+
+/// Whether the triangles are watched. A method that works on the whole map takes all at once.
+bool isWatched(const DecimationParameters& parameters, const MapOutputs& outputs) {
+    return outputs.watched && decimates(parameters) && !row(parameters.method).wholeMap;
+}
+
+/// What is taken whatever the surface looks like.
+double certainBytesPerPoint(const DecimationParameters& parameters, MapOutputs outputs) {
+    if (!isWatched(parameters, outputs))
+        return meshBytesPerPoint(parameters, outputs);
+    const double maps = mapsBytesPerPoint(parameters, outputs);
+    const double regions =
+        followsSchedule(parameters, outputs) ? emptyRegionBytesPerPoint(parameters) : 0;
+    if (outputs.whole)
+        outputs.solid = false; // of the triangles that are watched
+    outputs.schedule = outputs.whole = outputs.shaped = false;
+    return maps + regions + meshBytesPerPoint(parameters, outputs);
 }
 
 } // namespace
 
 double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
     const bool whole = decimatesWhole(parameters, outputs) && !outputs.solid; // a solid reuses its triangles
-    return (followsSchedule(parameters, outputs) ? regionBytesPerPoint(parameters) : 0) +
+    return mapsBytesPerPoint(parameters, outputs) +
+           (followsSchedule(parameters, outputs) ? regionBytesPerPoint(parameters) : 0) +
            (whole ? regionBytesPerPoint(parameters) : 0);
 }
 
@@ -78,7 +99,7 @@ double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutput
         const int merged = canMerge(parameters) ? layers(parameters.regionCells, kMostExportCells) : 0;
         more = std::max({more, merged * kLayer, kMeasured});
     }
-    return scheduled + std::max(whole + more, outputs.solid ? kSolid : 0);
+    return mapsBytesPerPoint(parameters, outputs) + scheduled + std::max(whole + more, outputs.solid ? kSolid : 0);
 }
 
 double mapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {
@@ -93,9 +114,10 @@ double surfaceBytes(const Grid& grid, std::size_t faces, const MapOutputs& outpu
 }
 
 double expectedMapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {
-    const MapOutputs certain = certainOutputs(parameters, outputs);
-    const double expected = mapBytes(grid, parameters, certain);
-    return certain.whole == outputs.whole ? expected : expected + kMachined * pointsOf(grid);
+    double machined = 0;
+    if (isWatched(parameters, outputs))
+        machined = (followsSchedule(parameters, outputs) ? kMachined : 0) + (outputs.whole ? kMachined : 0);
+    return zmapBytes(grid) + pointsOf(grid) * (certainBytesPerPoint(parameters, outputs) + machined);
 }
 
 Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const DecimationParameters& parameters,
@@ -111,7 +133,7 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
     const double anySurface =
         std::max(meshBytesPerPoint(parameters, outputs), meshBytesPerPoint(coarser, outputs));
     return checkMemory(stock, grid, limitBytes,
-                       meshBytesPerPoint(parameters, certainOutputs(parameters, outputs)), anySurface);
+                       certainBytesPerPoint(parameters, outputs), anySurface);
 }
 
 double bytesAtRest(const DecimationParameters& parameters, const Grid& grid, std::size_t faces) {

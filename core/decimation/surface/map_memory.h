@@ -12,13 +12,14 @@ namespace proveout {
 
 /// What is made from a map in addition to cutting it.
 struct MapOutputs {
-    bool schedule = true; ///< regions that are decimated while it is cut
+    bool schedule = true; ///< regions that are decimated while it is cut, and the map of their moment
+    bool shaped = false;  ///< the uncut stock is not a box: its map is kept, for a restart
     bool whole = false;   ///< the whole map is decimated at the end (decimatedWhole()) and measured
     bool solid = false;   ///< the decimated or else the full mesh, closed and written to files
     bool again = false;   ///< the map is kept uncut, and cut a second time with a mark per point
-    /// Whoever decimates the whole map watches its memory (MemoryWatch, surfaceBytes()), so that it need not
-    /// be there in advance: triangles are only known when they are made, and machined parts need a tenth of
-    /// what noise needs.
+    /// Whoever decimates watches the memory of the triangles (MemoryWatch, surfaceBytes()), so that it need
+    /// not be there in advance: triangles are only known when they are made, and machined parts need a tenth
+    /// of what noise needs.
     bool watched = false;
 };
 

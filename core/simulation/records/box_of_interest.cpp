@@ -89,10 +89,10 @@ std::optional<std::size_t> cutNear(ZMap& zmap, const GridPart& place, const Neig
     return count;
 }
 
-/// The memory of two maps in whole tiles while the part is cut, and then of the points in the box, with their
+/// The memory of a map in whole tiles while the part is cut, and then of the points in the box, with their
 /// meshes.
 double bytesOf(const GridPart& part, double bytesPerPoint) {
-    return zmapBytes(part.inWholeTiles().grid()) + zmapBytes(part.grid()) / 2 +
+    return zmapBytes(part.inWholeTiles().grid()) + zmapBytes(part.grid()) +
            static_cast<double>(part.nx) * part.ny * bytesPerPoint;
 }
 

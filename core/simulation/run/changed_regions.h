@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/decimation/regions/region_grid.h"
+#include "core/decimation/surface/surface.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -17,5 +18,9 @@ namespace proveout {
 /// the snapshots do not share are compared.
 [[nodiscard]] std::vector<std::size_t> differingRegions(const ZMapSnapshot& a, const ZMapSnapshot& b,
                                                         const RegionGrid& grid);
+
+/// Touches the regions that have changed since `base`, of those within `changed`. (The box of a slanted motion
+/// holds regions that it never touched: only changed heights count.)
+void touchChanged(Surface& surface, const ZMap& zmap, const ZMapSnapshot& base, const IndexRect& changed);
 
 } // namespace proveout

@@ -15,6 +15,9 @@ public:
     explicit Schedule(const DecimationParameters& parameters)
         : m_period(decimates(parameters) ? parameters.period : 0) {}
 
+    /// One that never decimates anything.
+    [[nodiscard]] static Schedule never() { return Schedule(DecimationParameters{.period = 0}); }
+
     /// Whether anything is ever decimated with these parameters.
     [[nodiscard]] bool decimates() const { return m_period != 0; }
     /// Whether regions are decimated again after they have been cut.

@@ -7,9 +7,9 @@
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/decimation/surface/map_memory.h"
 #include "core/simulation/run/simulation_state.h"
 #include "core/simulation/setup/parameter_check.h"
+#include "core/simulation/setup/setup_memory.h"
 #include "core/simulation/setup/stock_position.h"
 
 namespace proveout {
@@ -45,16 +45,14 @@ Result<std::unique_ptr<Simulation>> Simulation::prepare(std::shared_ptr<const Pr
         return tl::unexpected(std::move(fine.error()));
     if (auto whole = checkShape(setup->shape); !whole)
         return tl::unexpected(std::move(whole.error()));
-    const auto grid = makeGrid(setup->stock, setup->spacing);
-    if (!grid)
-        return tl::unexpected(grid.error());
-    const auto limit = static_cast<double>(memoryLimitBytes());
-    if (auto fits = checkMapMemory(setup->stock, *grid, parameters, {}, limit); !fits)
+    const std::uint64_t limit = memoryLimitBytes();
+    if (auto fits = checkSetupMemory(*setup, parameters, static_cast<double>(limit)); !fits)
         return tl::unexpected(std::move(fits.error()));
 
     const StopWatch watch;
     auto state = std::make_unique<State>();
-    UncutStock uncut = uncutStock(setup->stock, setup->shape, *grid);
+    state->surfaceMemory.allow(limit);
+    UncutStock uncut = uncutStock(setup->stock, setup->shape, *makeGrid(setup->stock, setup->spacing));
     for (Diagnostic& finding : uncut.findings)
         finding.file = setup->shape.file.string();
     state->stock.zmap = std::move(uncut.zmap);
@@ -65,8 +63,7 @@ Result<std::unique_ptr<Simulation>> Simulation::prepare(std::shared_ptr<const Pr
     state->base = state->stock.moment();
     state->checkpoints.restart(state->base);
     // A quarter of the memory that is left beside the map, so that other programs can run as well.
-    const auto quarter = static_cast<std::size_t>(memoryLimitBytes() / 4);
-    state->checkpoints.setBudget(std::min(Checkpoints::kDefaultBudget, quarter));
+    state->checkpoints.setBudget(std::min<std::size_t>(Checkpoints::kDefaultBudget, memoryLimitBytes() / 4));
     state->effort.allocateSeconds = watch.seconds();
     state->behind = state->schedule.decimates();
     return std::unique_ptr<Simulation>(new Simulation(std::move(state)));
@@ -144,6 +141,10 @@ void Simulation::setCheckpointBudget(std::size_t bytes) {
     m_state->checkpoints.setBudget(bytes);
 }
 
+void Simulation::allowMemory(std::uint64_t bytes) {
+    m_state->surfaceMemory.allow(bytes);
+}
+
 void Simulation::keepFindingsOnly() {
     m_state->findingsOnly.emplace(m_state->stock.zmap);
 }
@@ -203,6 +204,8 @@ Frame Simulation::frame() const {
     frame.findings.insert(frame.findings.end(), state.setupFindings.begin(), state.setupFindings.end());
     std::ranges::move(state.findings.diagnostics(*state.program, state.tools),
                       std::back_inserter(frame.findings));
+    if (state.surfaceMemory.exceeded())
+        frame.findings.push_back(state.surfaceMemory.finding(*state.setup, state.parameters));
     frame.removedMm3 =
         state.findingsOnly ? state.findingsOnly->removedFrom(state.stock.zmap) : state.stock.removedMm3;
     if (atEnd() && frame.removedMm3 <= 0)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "core/base/work_context.h"
@@ -60,6 +61,10 @@ public:
     /// Bytes for checkpoints; beyond that they are packed and thinned out (Checkpoints). 0: only the uncut
     /// stock is kept, for runs that only move forward.
     void setCheckpointBudget(std::size_t bytes);
+
+    /// How many bytes may be allocated from now on, instead of memoryLimitBytes() when it was prepared. With a
+    /// larger surface all is drawn from the z-map until there are other parameters; a finding says so.
+    void allowMemory(std::uint64_t bytes);
 
     /// Keeps only findings from now on, before the first block: rows are not recorded, which makes cutting
     /// several times as fast. Frames tell the removed volume nevertheless.

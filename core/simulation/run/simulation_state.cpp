@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/block_rows.h"
@@ -14,6 +15,19 @@
 #include "core/simulation/setup/stock_position.h"
 
 namespace proveout {
+
+namespace {
+
+/// The dirty regions, except those in `without` (ascending).
+std::vector<std::size_t> dirtyRegions(const Surface& surface, std::span<const std::size_t> without) {
+    std::vector<std::size_t> regions = surface.listOfDirtyRegions();
+    if (!without.empty())
+        std::erase_if(regions,
+                      [&](std::size_t region) { return std::ranges::binary_search(without, region); });
+    return regions;
+}
+
+} // namespace
 
 void Simulation::State::useProgram(std::shared_ptr<const Program> wanted) {
     program = std::move(wanted);
@@ -72,21 +86,6 @@ void Simulation::State::countCut(StockRun& run, std::size_t blocks, double secon
         checkpoints.add(run.moment());
 }
 
-void Simulation::State::touchChanged(const IndexRect& changed) {
-    const RegionGrid& grid = surface.grid();
-    if (changed.empty() || surface.dirtyRegions() == grid.regionCount())
-        return;
-    const IndexRect regions = grid.regionsTouching(changed);
-    for (int ry = regions.j0; ry < regions.j1; ++ry)
-        for (int rx = regions.i0; rx < regions.i1; ++rx) {
-            const auto region = grid.regionAt(rx, ry);
-            if (surface.isDirty(region))
-                continue;
-            if (!sameHeights(stock.zmap, base.zmap, intersection(grid.points(region), changed)))
-                surface.touchRegion(region);
-        }
-}
-
 void Simulation::State::step(const WorkContext& context) {
     if (behind)
         seek(stock.block, context);
@@ -98,7 +97,7 @@ void Simulation::State::step(const WorkContext& context) {
     const auto record = cutNext(stock, first ? &findings : nullptr, context);
     if (!record)
         return;
-    touchChanged(record->changed);
+    touchChanged(surface, stock.zmap, base.zmap, record->changed);
 
     BlockStatistics row = recordedRow(*record, surface.facesFull());
     const BlockStatistics old = first ? row : rows[block];
@@ -107,8 +106,8 @@ void Simulation::State::step(const WorkContext& context) {
     if (schedule.isMoment(stock.block)) {
         base = stock.moment();
         row.regionsDecimated = static_cast<std::uint32_t>(surface.dirtyRegions());
-        row.decimationSeconds = static_cast<float>(decimate(dirtyRegions({}), context.quiet()));
-        behind = surface.dirtyRegions() > 0;
+        row.decimationSeconds = static_cast<float>(decimate(surface.listOfDirtyRegions(), context.quiet()));
+        behind = schedule.decimates() && surface.dirtyRegions() > 0;
     }
     if (first)
         rows.push_back(row);
@@ -123,18 +122,17 @@ void Simulation::State::step(const WorkContext& context) {
 
 double Simulation::State::decimate(std::span<const std::size_t> regions, const WorkContext& context) {
     const StopWatch watch;
-    (void)surface.decimateRegions(regions, base.zmap, context);
+    const auto work = [&](const auto& limited) { surface.decimateRegions(regions, base.zmap, limited); };
+    if (!surfaceMemory.limit(regions.size(), context, work)) {
+        schedule = Schedule::never();
+        surface = Surface(stock.zmap.grid().nx, stock.zmap.grid().ny, whileCutting(parameters));
+        atRest = {};
+        base = checkpoints.before(0);
+        returnFreedMemory();
+    }
     const double seconds = watch.seconds();
     effort.decimationSeconds += seconds;
     return seconds;
-}
-
-std::vector<std::size_t> Simulation::State::dirtyRegions(std::span<const std::size_t> without) const {
-    std::vector<std::size_t> regions = surface.listOfDirtyRegions();
-    if (!without.empty())
-        std::erase_if(regions,
-                      [&](std::size_t region) { return std::ranges::binary_search(without, region); });
-    return regions;
 }
 
 void Simulation::State::noteSurface() {
@@ -149,10 +147,10 @@ void Simulation::State::settle(const WorkContext& context) {
     behind = false;
     if (schedule.decimates()) {
         const auto dirty = differingRegions(stock.zmap.snapshot(), base.zmap, surface.grid());
-        (void)decimate(dirtyRegions(dirty), context);
+        (void)decimate(dirtyRegions(surface, dirty), context);
         for (const auto region : dirty)
             surface.touchRegion(region);
-        behind = surface.dirtyRegions() > dirty.size();
+        behind = schedule.decimates() && surface.dirtyRegions() > dirty.size();
     }
     if (!behind)
         rowBefore.reset();
@@ -269,6 +267,7 @@ void Simulation::State::fallBack(std::size_t kept) {
 void Simulation::State::useParameters(const DecimationParameters& wanted) {
     parameters = wanted;
     schedule = Schedule(wanted);
+    surfaceMemory.begin(*setup, stock.zmap.grid(), wanted);
     surface = Surface(stock.zmap.grid().nx, stock.zmap.grid().ny, whileCutting(wanted));
     atRest = {};
 }

@@ -15,6 +15,7 @@
 #include "core/simulation/run/schedule.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/run/surface_at_rest.h"
+#include "core/simulation/run/surface_memory.h"
 #include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
@@ -54,6 +55,7 @@ struct Simulation::State {
     /// If the decimation of the present block was stopped: the row to restore if the block is left like this.
     std::optional<BlockStatistics> rowBefore;
 
+    SurfaceMemory surfaceMemory;
     SurfaceAtRest atRest;
     std::optional<RemovedVolume> findingsOnly; ///< if no records are kept: what was removed
 
@@ -77,16 +79,13 @@ struct Simulation::State {
     bool cutNew(StockRun& run, std::size_t count, const WorkContext& context);
     /// Counts blocks that were cut into `run`, and the time for them; adds a checkpoint if one is due.
     void countCut(StockRun& run, std::size_t blocks, double seconds);
-    /// The box of a slanted motion holds regions that it never touched: only changed heights count.
-    void touchChanged(const IndexRect& changed);
     void step(const WorkContext& context);
 
     // --- the surface
 
-    /// Decimates dirty regions with the heights of `base`; returns the seconds it took.
+    /// Decimates dirty regions with the heights of `base`; returns the seconds it took. If the surface needs
+    /// too much memory, all regions are drawn from the z-map, and nothing is decimated from now on.
     double decimate(std::span<const std::size_t> regions, const WorkContext& context);
-    /// The dirty regions, except those in `without` (ascending).
-    [[nodiscard]] std::vector<std::size_t> dirtyRegions(std::span<const std::size_t> without) const;
     /// Writes the present surface into the row of the present block.
     void noteSurface();
     /// Brings the surface into the state that the schedule requires: the regions that differ from `base` are

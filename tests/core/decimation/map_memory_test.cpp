@@ -68,6 +68,24 @@ TEST(MapMemory, OfAWatchedSurfaceIsNotRequiredInAdvance) {
     EXPECT_FALSE(checkMapMemory(stock, grid, parameters, watched, 1.01 * map));
 }
 
+TEST(MapMemory, OfAWatchedScheduleIsTheMapsAndTheEmptyRegions) {
+    const StockBox stock{Vec3(0), 2000, 1000, 40};
+    const Grid grid = makeGrid(stock, 0.1).value();
+    const MapOutputs watched{.watched = true};
+    const double map = zmapBytes(grid);
+    EXPECT_FALSE(checkMapMemory(stock, grid, {}, {}, 3 * map));
+    EXPECT_TRUE(checkMapMemory(stock, grid, {}, watched, 3 * map));
+    EXPECT_FALSE(checkMapMemory(stock, grid, {}, watched, 2 * map)) << "the map of the last moment is held too";
+    EXPECT_EQ(mapBytes(grid, {}, watched), mapBytes(grid, {}, {})) << "the forecast is still the worst";
+    EXPECT_LT(expectedMapBytes(grid, {}, watched), mapBytes(grid, {}, watched) / 2);
+}
+
+TEST(MapMemory, CountsTheUncutMapOfAStockThatIsNoBox) {
+    const Grid grid = makeGrid({Vec3(0), 100, 100, 20}, 0.1).value();
+    const double box = mapBytes(grid, {}, {.schedule = false});
+    EXPECT_NEAR(mapBytes(grid, {}, {.schedule = false, .shaped = true}), 2 * box, 0.05 * box);
+}
+
 TEST(MapMemory, OfAMapIsWhatIsComparedWithTheLimit) {
     const StockBox stock{{0, 0, 0}, 100, 100, 20};
     const Grid grid = makeGrid(stock, 0.1).value();

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
+#include "core/decimation/regions/parameters.h"
+#include "core/simulation/setup/setup.h"
+#include "core/zmap/stock.h"
+
+namespace proveout {
+
+/// Watches the memory of a surface that is decimated while it is cut. How many triangles it has is known only
+/// once they are made, and machined parts need a tenth of what noise needs; so the worst case need not fit in
+/// advance. Owned by one thread.
+class SurfaceMemory {
+public:
+    /// How much the map and everything made of it may take in addition to what the process takes now.
+    void allow(std::uint64_t bytes);
+    /// A new surface begins. If any surface with these parameters is allowed, nothing is watched.
+    void begin(const Setup& setup, const Grid& grid, const DecimationParameters& parameters);
+
+    /// Does work on so many regions, with a context that is stopped when the memory is used up as well.
+    /// Returns false if it was: the surface must be given up.
+    [[nodiscard]] bool limit(std::size_t regions, const WorkContext& context,
+                             const std::function<void(const WorkContext&)>& work);
+
+    /// Whether the surface needs more than is allowed.
+    [[nodiscard]] bool exceeded() const { return m_exceeded; }
+    /// The finding about that, with a spacing that would fit.
+    [[nodiscard]] Diagnostic finding(const Setup& setup, const DecimationParameters& parameters) const;
+
+private:
+    std::uint64_t m_allowed = UINT64_MAX;
+    std::uint64_t m_most = UINT64_MAX; ///< resident
+    double m_worst = 0;
+    std::size_t m_unseen = 0; ///< regions since the memory was looked at
+    bool m_exceeded = false;
+};
+
+} // namespace proveout
