@@ -183,11 +183,34 @@ private:
 
     bool interpretProgram() {
         m_seconds.prepare = lap();
-        auto program = loadProgram(m_job, m_report);
+        auto reading = startReading(m_job);
+        if (!reading)
+            return fine(std::move(reading));
+        m_reading = std::move(*reading);
+        do
+            m_program = m_reading->next();
+        while (!m_reading->isWhole() && !cutsWhileReading());
         m_seconds.interpret = lap();
-        if (!program)
-            return fine(std::move(program));
-        m_program = std::move(*program);
+        return !m_reading->isWhole() || fine(reportProgram(*m_program, m_job, m_report));
+    }
+
+    /// Whether nothing before the end depends on what follows in the program.
+    [[nodiscard]] bool cutsWhileReading() const {
+        return !m_job.setup.automaticGrid && !followsSchedule() && m_options.until.empty() &&
+               ThreadLimit::threads() > 1;
+    }
+
+    /// Cuts a program of which only the beginning has been read, while the rest is.
+    bool cutAsRead() {
+        while (!m_reading->isWhole()) {
+            m_simulation->seek(m_program->blockCount());
+            const StopWatch waiting;
+            m_program = m_reading->next();
+            m_secondsWaited += waiting.seconds();
+            (void)m_simulation->noteProgram(m_program);
+            if (m_reading->isWhole() && !fine(reportProgram(*m_program, m_job, m_report)))
+                return false;
+        }
         return true;
     }
 
@@ -216,6 +239,8 @@ private:
             m_simulation->keepFindingsOnly();
         if (!m_options.provenance.empty())
             m_uncut = m_simulation->zmap();
+        if (!cutAsRead())
+            return false;
         const std::size_t blocks = blocksToRun(parseStopBlock(m_options.until), *m_program);
         if (followsSchedule())
             m_simulation->play(blocks);
@@ -234,7 +259,9 @@ private:
         m_seconds.allocate = effort.allocateSeconds;
         m_seconds.cut = effort.cutSeconds;
         m_seconds.decimate = effort.decimationSeconds;
-        m_seconds.evaluate = lap() - m_seconds.allocate - m_seconds.cut - m_seconds.decimate;
+        m_seconds.interpret += m_secondsWaited;
+        m_seconds.evaluate =
+            lap() - m_seconds.allocate - m_seconds.cut - m_seconds.decimate - m_secondsWaited;
         return true;
     }
 
@@ -321,6 +348,7 @@ private:
               {"write", m_seconds.write},
               {"box", m_seconds.box},
               {"total", m_seconds.total}}},
+            {"secondsBeside", {{"interpret", m_reading->seconds()}}},
             {"threads", ThreadLimit::threads()},
             {"cpuSeconds", static_cast<double>(std::clock()) / CLOCKS_PER_SEC},
             {"expectedBytes", std::llround(expectedMapBytes(grid, scheduled(), mapOutputs()))},
@@ -413,14 +441,16 @@ private:
     FinalSurface m_surface; ///< if JSON or a mesh file was requested
     Report m_report;
     Job m_job;
-    std::shared_ptr<const Program> m_program;
+    std::unique_ptr<ProgramReading> m_reading;
+    std::shared_ptr<const Program> m_program; ///< its beginning, until all of it has been read
     std::unique_ptr<Simulation> m_simulation;
     Frame m_frame;
     ZMapSnapshot m_uncut; ///< if provenance was requested
     std::shared_ptr<const MachineTimes> m_times;
     RunTotals m_totals; ///< if JSON was requested
     Seconds m_seconds;
-    double m_lapped = 0; ///< seconds after which the present phase began
+    double m_secondsWaited = 0; ///< for the program, while it was cut
+    double m_lapped = 0;        ///< seconds after which the present phase began
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <map>
 #include <sstream>
@@ -131,6 +132,36 @@ TEST_F(CliSimulate, RecordsReportWhatEachBlockCutAndItsTotals) {
     EXPECT_EQ(begun["movingBlocks"], 1);
     EXPECT_GT(begun["movingBlocksInProgram"], 1);
     EXPECT_EQ(begun["finished"], false);
+}
+
+/// More blocks than are read before the first of them are cut; a rapid in the stock and an unknown code
+/// follow.
+std::string longProgram(const std::string& end) {
+    std::string text = "G21 G90\nT1 M6\nG0 X5 Y5 Z5\nF1000\n";
+    for (int block = 0; block < 130'000; ++block)
+        text +=
+            fmt::format("G1 X{} Y{:.3f} Z{:.4f}\n", block % 2 == 0 ? 2 : 38, 0.0002 * block, -block * 5e-6);
+    return text + end + "G0 Z5\nM30\n";
+}
+
+TEST_F(CliSimulate, CuttingAProgramWhileItIsReadHasTheSameResult) {
+    for (const std::string end : {"G0 X20 Y20 Z-3\nG91.7\n", "T2 M6\nG1 X5 Z-4\n"}) {
+        write("long.nc", longProgram(end));
+        std::vector<nlohmann::json> results;
+        for (const std::string threads : {"1", "2"}) {
+            const auto done = run("simulate long.nc --json --zmap z" + threads + ".npy --threads " + threads +
+                                  kStock + kTool + "--tool 2=flat:d=6");
+            results.push_back(done.json());
+            ASSERT_TRUE(results.back().is_object()) << done.err;
+            EXPECT_GT(results.back()["secondsBeside"]["interpret"], 0);
+            for (const char* cost : {"seconds", "secondsBeside", "threads", "cpuSeconds", "peakBytes"})
+                results.back().erase(cost);
+        }
+        EXPECT_EQ(results[0], results[1]);
+        EXPECT_EQ(read("z1.npy"), read("z2.npy"));
+        EXPECT_EQ(results[0]["movingBlocks"], results[0]["movingBlocksInProgram"]);
+        EXPECT_GT(results[0]["movingBlocks"], 130'000);
+    }
 }
 
 TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {

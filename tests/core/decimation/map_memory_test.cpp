@@ -75,7 +75,8 @@ TEST(MapMemory, OfAWatchedScheduleIsTheMapsAndTheEmptyRegions) {
     const double map = zmapBytes(grid);
     EXPECT_FALSE(checkMapMemory(stock, grid, {}, {}, 3 * map));
     EXPECT_TRUE(checkMapMemory(stock, grid, {}, watched, 3 * map));
-    EXPECT_FALSE(checkMapMemory(stock, grid, {}, watched, 2 * map)) << "the map of the last moment is held too";
+    EXPECT_FALSE(checkMapMemory(stock, grid, {}, watched, 2 * map))
+        << "the map of the last moment is held too";
     EXPECT_EQ(mapBytes(grid, {}, watched), mapBytes(grid, {}, {})) << "the forecast is still the worst";
     EXPECT_LT(expectedMapBytes(grid, {}, watched), mapBytes(grid, {}, watched) / 2);
 }
