@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "core/cutting/cut/cut_part.h"
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/lower_tile.h"
+#include "core/cutting/cut/sequence_cutter.h"
 #include "core/cutting/cut/tiles_under.h"
 
 namespace proveout {
@@ -26,14 +29,22 @@ constexpr std::size_t kMotionsOfPortion = 32'768;
 /// Motions prepared at once, by several threads.
 constexpr std::size_t kMotionsOfBatch = 1024;
 
+} // namespace
+
 /// Some motions of a sequence, and the tiles that they may lower. One object is filled again and again, in
 /// place and by several threads: when each portion had its own memory, a tenth of the time on two threads
 /// went into memory that one thread allocated and freed while the other waited.
-class Portion {
+class SequenceCutter::Portion {
 public:
-    Portion(const ZMap& zmap, std::size_t motions)
-        : m_sweeps(std::min(motions, kMotionsOfPortion)), m_tilesOf(m_sweeps.size()),
-          m_next(zmap.tileCount()) {}
+    /// Prepares for a sequence of so many motions.
+    void begin(const ZMap& zmap, std::size_t motions) {
+        if (const std::size_t most = std::min(motions, kMotionsOfPortion); m_sweeps.size() < most) {
+            m_sweeps.resize(most);
+            m_tilesOf.resize(most);
+            m_isRecorded.resize(most);
+        }
+        m_next.resize(zmap.tileCount());
+    }
 
     /// Fills the portion with motions from `first` on.
     void fill(const ZMap& zmap, std::span<const CutterMotion> motions, std::size_t first) {
@@ -55,21 +66,22 @@ public:
     /// False if it was stopped; some tiles have been lowered then.
     bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records,
                Provenance* provenance) {
-        m_parts.resize(std::max(m_parts.size(), m_order.size()));
-        const bool all =
-            provenance != nullptr ||
-            std::all_of(m_sweeps.begin(), m_sweeps.begin() + static_cast<std::ptrdiff_t>(m_count),
-                        [](const auto& one) { return one.recorded; });
+        const bool all = provenance != nullptr || m_recordedPairs == m_order.size();
+        const std::size_t parts = all ? m_order.size() : m_recordedPairs;
+        m_parts.resize(std::max(m_parts.size(), parts));
         const bool complete = lowerTiles(zmap, stop, [&](std::size_t k, PassTable& table) {
-            const std::span own(m_parts.begin() + m_begins[k], orderOf(k).size());
             if (!all)
-                return lowerTileInTurn(zmap, m_tiles[k], m_sweeps, orderOf(k), own, table, stop);
+                return lowerTileInTurn(zmap, m_tiles[k], m_sweeps, orderOf(k),
+                                       std::span(m_parts).subspan(m_firstPart[k]), table, stop);
             Provenance::Marks* marks = provenance == nullptr ? nullptr : &provenance->tile(m_tiles[k]);
-            return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k), own, stop, marks);
+            return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k),
+                             std::span(m_parts).subspan(m_begins[k], orderOf(k).size()), stop, marks);
         });
         // The parts of each motion are added in the order of its tiles, as when it is cut alone.
-        for (std::size_t k = 0; complete && k < m_order.size(); ++k)
-            records[m_first + m_order[k]].add(m_parts[k]);
+        for (std::size_t k = 0, part = 0; complete && part < parts; ++k) {
+            if (all || m_isRecorded[m_order[k]] != 0)
+                records[m_first + m_order[k]].add(m_parts[part++]);
+        }
         return complete;
     }
 
@@ -91,18 +103,33 @@ private:
         std::vector<TileCut> done(m_tiles.size());
         std::atomic<bool> complete = true;
         inParallelRanges(m_tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
-            PassTable table;
+            std::unique_ptr<PassTable> table = borrowTable();
             for (std::size_t k = begin; k < end && complete; ++k) {
-                done[k] = lowerOne(k, table);
+                done[k] = lowerOne(k, *table);
                 if (!done[k].complete || stop.stop_requested())
                     complete = false;
             }
+            giveBack(std::move(table));
         });
         for (std::size_t k = 0; k < m_tiles.size(); ++k) {
             if (done[k].copy)
                 zmap.adoptTile(m_tiles[k], std::move(done[k].copy));
         }
         return complete;
+    }
+
+    /// Scratch memory for one thread; called by several.
+    [[nodiscard]] std::unique_ptr<PassTable> borrowTable() {
+        const std::lock_guard lock(m_mutex);
+        if (m_tables.empty())
+            return std::make_unique<PassTable>();
+        std::unique_ptr<PassTable> table = std::move(m_tables.back());
+        m_tables.pop_back();
+        return table;
+    }
+    void giveBack(std::unique_ptr<PassTable> table) {
+        const std::lock_guard lock(m_mutex);
+        m_tables.push_back(std::move(table));
     }
 
     /// Places motions after those that are placed already.
@@ -122,6 +149,7 @@ private:
         m_sweeps[at] = PreparedSweep(*one.cutter, one.motion, zmap);
         m_sweeps[at].mark = one.mark;
         m_sweeps[at].recorded = one.recorded;
+        m_isRecorded[at] = one.recorded ? 1 : 0;
         if (!m_sweeps[at].sweep.empty())
             tilesToLower(zmap, m_sweeps[at].sweep, m_tilesOf[at]);
     }
@@ -149,6 +177,13 @@ private:
             for (const std::size_t tile : m_tilesOf[sweep])
                 m_order[m_next[tile]++] = static_cast<std::uint32_t>(sweep);
         }
+        m_firstPart.clear();
+        m_recordedPairs = 0;
+        for (std::size_t k = 0; k < m_tiles.size(); ++k) {
+            m_firstPart.push_back(m_recordedPairs);
+            for (const std::uint32_t sweep : orderOf(k))
+                m_recordedPairs += m_isRecorded[sweep];
+        }
     }
 
     std::size_t m_first = 0;
@@ -157,24 +192,34 @@ private:
     std::vector<std::vector<std::size_t>> m_tilesOf; ///< by sweep, ascending
     std::vector<std::uint32_t> m_next;               ///< by tile of the map: where bin() continues
     std::vector<std::size_t> m_tiles;                ///< ascending
-    std::vector<std::uint32_t> m_begins; ///< by tile of m_tiles: the index of its first sweep in m_order;
-                                         ///< finally the end of the last
-    std::vector<std::uint32_t> m_order;  ///< sweeps, ascending within a tile
-    std::vector<CutRecord> m_parts;      ///< for each entry of m_order
+    std::vector<std::uint32_t> m_begins;    ///< by tile of m_tiles: the index of its first sweep in m_order;
+                                            ///< finally the end of the last
+    std::vector<std::uint32_t> m_order;     ///< sweeps, ascending within a tile
+    std::vector<std::uint8_t> m_isRecorded; ///< by sweep
+    std::size_t m_recordedPairs = 0;        ///< entries of m_order whose sweep is recorded
+    std::vector<std::size_t> m_firstPart;   ///< by tile of m_tiles: how many of them come before it
+    std::vector<CutRecord> m_parts;         ///< for each of them, or for each entry of m_order
+    std::mutex m_mutex;
+    std::vector<std::unique_ptr<PassTable>> m_tables; ///< not in use
 };
+
+SequenceCutter::SequenceCutter() = default;
+SequenceCutter::~SequenceCutter() = default;
 
 /// Calls `lower` with one portion after the other. If it reports that it was stopped, the map is restored,
 /// and the result is false.
 template<class Lower>
-bool byPortions(ZMap& zmap, std::span<const CutterMotion> motions, const std::stop_token& stop,
-                const Lower& lower) {
+bool SequenceCutter::byPortions(ZMap& zmap, std::span<const CutterMotion> motions,
+                                const std::stop_token& stop, const Lower& lower) {
     std::optional<ZMapSnapshot> before;
     if (stop.stop_possible())
         before = zmap.snapshot();
-    Portion portion(zmap, motions.size());
-    for (std::size_t next = 0; next < motions.size(); next = portion.end()) {
-        portion.fill(zmap, motions, next);
-        if (!lower(portion)) {
+    if (!m_portion)
+        m_portion = std::make_unique<Portion>();
+    m_portion->begin(zmap, motions.size());
+    for (std::size_t next = 0; next < motions.size(); next = m_portion->end()) {
+        m_portion->fill(zmap, motions, next);
+        if (!lower(*m_portion)) {
             zmap = ZMap(*before);
             return false;
         }
@@ -182,16 +227,28 @@ bool byPortions(ZMap& zmap, std::span<const CutterMotion> motions, const std::st
     return true;
 }
 
-} // namespace
+bool SequenceCutter::cut(ZMap& zmap, std::span<const CutterMotion> motions, std::vector<CutRecord>& records,
+                         const std::stop_token& stop, Provenance* provenance) {
+    records.assign(motions.size(), {});
+    if (!byPortions(zmap, motions, stop,
+                    [&](Portion& portion) { return portion.lower(zmap, stop, records, provenance); }))
+        return false;
+    for (CutRecord& record : records)
+        record.removedMm3 *= zmap.grid().hx * zmap.grid().hy;
+    return true;
+}
+
+bool SequenceCutter::cutHeights(ZMap& zmap, const GridPart& place, std::span<const CutterMotion> motions,
+                                const std::stop_token& stop) {
+    return byPortions(zmap, motions, stop,
+                      [&](Portion& portion) { return portion.lowerByAll(zmap, place, stop); });
+}
 
 std::optional<std::vector<CutRecord>> cut(ZMap& zmap, std::span<const CutterMotion> motions,
                                           const std::stop_token& stop, Provenance* provenance) {
-    std::vector<CutRecord> records(motions.size());
-    if (!byPortions(zmap, motions, stop,
-                    [&](Portion& portion) { return portion.lower(zmap, stop, records, provenance); }))
+    std::vector<CutRecord> records;
+    if (!SequenceCutter().cut(zmap, motions, records, stop, provenance))
         return std::nullopt;
-    for (CutRecord& record : records)
-        record.removedMm3 *= zmap.grid().hx * zmap.grid().hy;
     return records;
 }
 
@@ -201,8 +258,7 @@ bool cutHeights(ZMap& zmap, std::span<const CutterMotion> motions, const std::st
 
 bool cutHeights(ZMap& zmap, const GridPart& place, std::span<const CutterMotion> motions,
                 const std::stop_token& stop) {
-    return byPortions(zmap, motions, stop,
-                      [&](Portion& portion) { return portion.lowerByAll(zmap, place, stop); });
+    return SequenceCutter().cutHeights(zmap, place, motions, stop);
 }
 
 } // namespace proveout

@@ -122,16 +122,20 @@ public:
     void lowerInTurn(std::span<const PreparedSweep> sweeps, std::span<const std::uint32_t> order,
                      std::span<CutRecord> records, PassTable& table) {
         table.clear();
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            const PreparedSweep& prepared = sweeps[order[k]];
-            records[k] = {};
+        auto record = records.begin();
+        for (const std::uint32_t k : order) {
+            const PreparedSweep& prepared = sweeps[k];
             if (!prepared.recorded) {
                 collect(prepared, table);
-            } else if (mayLower(prepared.sweep)) {
+                continue;
+            }
+            *record = {};
+            if (mayLower(prepared.sweep)) {
                 lowerByAll(table);
                 table.clear();
-                records[k] = lower(prepared);
+                *record = lower(prepared);
             }
+            ++record;
         }
         lowerByAll(table);
     }

@@ -47,8 +47,8 @@ struct TileCut {
                                 std::span<const std::uint32_t> order, std::span<CutRecord> records,
                                 const std::stop_token& stop, Provenance::Marks* marks = nullptr);
 
-/// The same heights and records, but those of sweeps that are not recorded are empty: between two recorded
-/// ones they are cut in the fastest order. `table` is scratch memory.
+/// The same heights, but `records` has one entry per sweep of `order` that is recorded: between two of these
+/// the others are cut in the fastest order. `table` is scratch memory.
 [[nodiscard]] TileCut lowerTileInTurn(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                                       std::span<const std::uint32_t> order, std::span<CutRecord> records,
                                       PassTable& table, const std::stop_token& stop);

@@ -171,9 +171,13 @@ class BlocksInTurn {
 public:
     BlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
                  const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop,
-                 Recording recording)
+                 PortionCutting& cutting, Recording recording)
         : m_zmap(zmap), m_program(program), m_setup(setup), m_tools(tools), m_findings(findings),
-          m_stop(stop), m_recording(recording), m_first(first), m_last(last), m_sums(last - first) {}
+          m_stop(stop), m_recording(recording), m_first(first), m_last(last), m_cutter(cutting.cutter),
+          m_waiting(cutting.motions), m_records(cutting.ofMotions), m_sums(cutting.ofBlocks) {
+        m_waiting.clear();
+        m_sums.assign(last - first, {});
+    }
 
     /// False if it was stopped: the map may have been cut then.
     bool cutAll() {
@@ -183,8 +187,6 @@ public:
         }
         return cutWaiting();
     }
-
-    [[nodiscard]] std::vector<CutRecord> takeSums() { return std::move(m_sums); }
 
 private:
     /// Adds the motions of a block to those that wait, unless one of them must be judged on the map of its
@@ -211,8 +213,7 @@ private:
     bool cutWaiting() {
         if (m_waiting.empty())
             return true;
-        const auto records = cut(m_zmap, m_waiting, m_stop);
-        if (!records)
+        if (!m_cutter.cut(m_zmap, m_waiting, m_records, m_stop))
             return false;
         for (std::size_t k = 0; k < m_waiting.size(); ++k) {
             const auto& [cutter, motion, mark, recorded] = m_waiting[k];
@@ -220,9 +221,9 @@ private:
                 continue;
             const std::size_t block = mark - 1;
             if (m_findings != nullptr)
-                judge(m_zmap, (*records)[k], motion, *cutter, isUnconfirmed(motion, m_setup, m_tools), block,
+                judge(m_zmap, m_records[k], motion, *cutter, isUnconfirmed(motion, m_setup, m_tools), block,
                       *m_findings);
-            m_sums[block - m_first].add((*records)[k]);
+            m_sums[block - m_first].add(m_records[k]);
         }
         m_waiting.clear();
         return true;
@@ -244,22 +245,37 @@ private:
     Recording m_recording;
     std::size_t m_first;
     std::size_t m_last;
-    std::vector<CutterMotion> m_waiting; ///< marked by 1 + their block
-    std::vector<CutRecord> m_sums;       ///< by block
+    SequenceCutter& m_cutter;
+    std::vector<CutterMotion>& m_waiting; ///< marked by 1 + their block
+    std::vector<CutRecord>& m_records;    ///< of those that waited last
+    std::vector<CutRecord>& m_sums;       ///< by block
 };
+
+void addMotions(const Program& program, std::size_t first, std::size_t last, const Setup& setup,
+                const ToolChoice& tools, std::vector<CutterMotion>& motions) {
+    for (std::size_t block = first; block < last; ++block) {
+        const auto range = program.blockMotions(block);
+        for (std::size_t index = range.first; index < range.last; ++index) {
+            const Motion motion = program.motion(index);
+            motions.push_back(
+                {cutterOf(motion, setup, tools), motion, static_cast<std::uint32_t>(block + 1)});
+        }
+    }
+}
 
 } // namespace
 
-std::optional<std::vector<CutRecord>> cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first,
-                                                      std::size_t last, const Setup& setup,
-                                                      const ToolChoice& tools, FindingLog* findings,
-                                                      const std::stop_token& stop, Recording recording) {
+std::optional<std::span<const CutRecord>> cutBlocksInTurn(ZMap& zmap, const Program& program,
+                                                          std::size_t first, std::size_t last,
+                                                          const Setup& setup, const ToolChoice& tools,
+                                                          FindingLog* findings, const std::stop_token& stop,
+                                                          PortionCutting& cutting, Recording recording) {
     std::optional<ZMapSnapshot> before;
     if (stop.stop_possible())
         before = zmap.snapshot();
-    BlocksInTurn blocks(zmap, program, first, last, setup, tools, findings, stop, recording);
+    BlocksInTurn blocks(zmap, program, first, last, setup, tools, findings, stop, cutting, recording);
     if (blocks.cutAll())
-        return blocks.takeSums();
+        return cutting.ofBlocks;
     zmap = ZMap(*before);
     if (findings != nullptr)
         findings->truncate(first);
@@ -269,20 +285,15 @@ std::optional<std::vector<CutRecord>> cutBlocksInTurn(ZMap& zmap, const Program&
 std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t first, std::size_t last,
                                         const Setup& setup, const ToolChoice& tools) {
     std::vector<CutterMotion> motions;
-    for (std::size_t block = first; block < last; ++block) {
-        const auto range = program.blockMotions(block);
-        for (std::size_t index = range.first; index < range.last; ++index) {
-            const Motion motion = program.motion(index);
-            motions.push_back(
-                {cutterOf(motion, setup, tools), motion, static_cast<std::uint32_t>(block + 1)});
-        }
-    }
+    addMotions(program, first, last, setup, tools, motions);
     return motions;
 }
 
 bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
-               const ToolChoice& tools, const std::stop_token& stop) {
-    return cutHeights(zmap, cutterMotions(program, first, last, setup, tools), stop);
+               const ToolChoice& tools, const std::stop_token& stop, PortionCutting& cutting) {
+    cutting.motions.clear();
+    addMotions(program, first, last, setup, tools, cutting.motions);
+    return cutting.cutter.cutHeights(zmap, GridPart(zmap.grid()), cutting.motions, stop);
 }
 
 } // namespace proveout

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
 #include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/sequence_cutter.h"
 #include "core/nc/program/program.h"
 #include "core/simulation/run/finding_log.h"
 #include "core/simulation/setup/setup.h"
@@ -30,14 +32,23 @@ enum class Recording : std::uint8_t {
     findings ///< only what was found: most motions are then cut for their heights alone
 };
 
+/// What it takes to cut many blocks together; kept from one portion of a program to the next, so that its
+/// memory, up to 90 MB, is allocated once. Owned by one thread.
+struct PortionCutting {
+    SequenceCutter cutter;
+    std::vector<CutterMotion> motions;
+    std::vector<CutRecord> ofMotions;
+    std::vector<CutRecord> ofBlocks;
+};
+
 /// Cuts the blocks [first, last) with the same heights, records and findings as cutBlock() for one after the
-/// other, to the last bit, but many of their motions at once. One record per block, which lacks what no
-/// finding needs if only findings are kept. If it is stopped, the map is as before, findings do not include
-/// these blocks, and there are no records.
-[[nodiscard]] std::optional<std::vector<CutRecord>>
+/// other, to the last bit, but many of their motions at once. One record per block, in `cutting`, which lacks
+/// what no finding needs if only findings are kept. If it is stopped, the map is as before, findings do not
+/// include these blocks, and there are no records.
+[[nodiscard]] std::optional<std::span<const CutRecord>>
 cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
                 const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop,
-                Recording recording = Recording::blocks);
+                PortionCutting& cutting, Recording recording = Recording::blocks);
 
 /// All motions of the blocks [first, last), each with its cutter, or null if it cuts nothing, and marked by 1
 /// + its block. The cutters are those of `setup`.
@@ -48,6 +59,7 @@ cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size
 /// Cuts the blocks [first, last) at once, where only heights are needed, with the same result as cutBlock().
 /// False if it was stopped; the map is unchanged then.
 [[nodiscard]] bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last,
-                             const Setup& setup, const ToolChoice& tools, const std::stop_token& stop);
+                             const Setup& setup, const ToolChoice& tools, const std::stop_token& stop,
+                             PortionCutting& cutting);
 
 } // namespace proveout

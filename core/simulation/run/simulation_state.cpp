@@ -50,21 +50,23 @@ std::optional<CutRecord> Simulation::State::cutNext(StockRun& run, FindingLog* l
     return record;
 }
 
-bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkContext& context) {
+bool Simulation::State::cutMany(StockRun& run, std::size_t count, PortionCutting& cutting,
+                                const WorkContext& context) {
     const StopWatch watch;
     const bool done =
-        cutBlocks(run.zmap, *program, run.block, run.block + count, *setup, tools, context.stop);
+        cutBlocks(run.zmap, *program, run.block, run.block + count, *setup, tools, context.stop, cutting);
     for (std::size_t k = 0; done && k < count; ++k)
         run.removedMm3 += rows[run.block + k].removedMm3;
     countCut(run, done ? count : 0, watch.seconds());
     return done;
 }
 
-bool Simulation::State::cutNew(StockRun& run, std::size_t count, const WorkContext& context) {
+bool Simulation::State::cutNew(StockRun& run, std::size_t count, PortionCutting& cutting,
+                               const WorkContext& context) {
     const StopWatch watch;
     const auto records =
         cutBlocksInTurn(run.zmap, *program, run.block, run.block + count, *setup, tools, &findings,
-                        context.stop, findingsOnly ? Recording::findings : Recording::blocks);
+                        context.stop, cutting, findingsOnly ? Recording::findings : Recording::blocks);
     for (std::size_t k = 0; records && k < count; ++k) {
         rows.push_back(findingsOnly ? unrecordedRow(surface.facesFull())
                                     : recordedRow((*records)[k], surface.facesFull()));
@@ -176,12 +178,13 @@ Checkpoint Simulation::State::nearest(std::size_t block) const {
 
 bool Simulation::State::cutTo(StockRun& run, std::size_t block, const WorkContext& context) {
     Portions portions(*program, checkpoints.wanted(), context.stop.stop_possible());
+    PortionCutting cutting; // its memory serves all portions
     const std::size_t from = run.block;
     while (run.block < block && !context.stopped()) {
         const bool isNew = run.block >= rows.size();
         const std::size_t count = portions.from(run.block, isNew ? block : std::min(block, rows.size()));
         const StopWatch watch;
-        if (!(isNew ? cutNew(run, count, context) : cutMany(run, count, context)))
+        if (!(isNew ? cutNew(run, count, cutting, context) : cutMany(run, count, cutting, context)))
             break;
         portions.took(watch.seconds());
         context.report(static_cast<double>(run.block - from) / static_cast<double>(block - from));

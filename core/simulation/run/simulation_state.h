@@ -20,6 +20,8 @@
 
 namespace proveout {
 
+struct PortionCutting;
+
 /// The stock at one position in the program.
 struct StockRun {
     ZMap zmap;
@@ -73,10 +75,10 @@ struct Simulation::State {
     std::optional<CutRecord> cutNext(StockRun& run, FindingLog* log, const WorkContext& context);
     /// Cuts the next `count` blocks at once, which have been executed before, so that everything except the
     /// heights is known; false if it was stopped: none of them counts.
-    bool cutMany(StockRun& run, std::size_t count, const WorkContext& context);
+    bool cutMany(StockRun& run, std::size_t count, PortionCutting& cutting, const WorkContext& context);
     /// Cuts the next `count` blocks at once, which have never been executed; their rows have no times and no
     /// faces. False if it was stopped: none of them counts.
-    bool cutNew(StockRun& run, std::size_t count, const WorkContext& context);
+    bool cutNew(StockRun& run, std::size_t count, PortionCutting& cutting, const WorkContext& context);
     /// Counts blocks that were cut into `run`, and the time for them; adds a checkpoint if one is due.
     void countCut(StockRun& run, std::size_t blocks, double seconds);
     void step(const WorkContext& context);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/sequence_cutter.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/random_seed.h"
 
@@ -103,6 +104,36 @@ TEST(CutSequence, RecordsWhatIsAskedForAmongMotionsThatAreNot) {
         for (std::size_t k = 0; k < records->size(); ++k)
             if (sequence.motions[k].recorded)
                 expectSame((*found)[k], (*records)[k]);
+    }
+}
+
+TEST(CutSequence, LeavesNothingBehindInTheMemoryItKeeps) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    SequenceCutter cutter;
+    std::vector<CutRecord> found;
+    for (int round = 0; round < roundsOf(24); ++round) {
+        RandomSequence sequence(random, 1 + static_cast<int>(random() % 60));
+        const auto oneIn = random() % 3;
+        for (CutterMotion& one : sequence.motions)
+            one.recorded = oneIn == 0 || random() % oneIn == 0;
+        const double spacing = random() % 2 == 0 ? 0.15 : 0.7;
+        ZMap expected = freshMap(spacing);
+        std::vector<CutRecord> records;
+        for (const CutterMotion& one : sequence.motions)
+            records.push_back(one.cutter == nullptr ? CutRecord() : cut(expected, *one.cutter, one.motion));
+        ZMap zmap = freshMap(spacing);
+        const bool onlyHeights = random() % 4 == 0;
+        ASSERT_TRUE(onlyHeights ? cutter.cutHeights(zmap, GridPart(zmap.grid()), sequence.motions, {})
+                                : cutter.cut(zmap, sequence.motions, found, {}));
+        EXPECT_TRUE(zmap.snapshot().sameHeights(expected.snapshot(), {0, 0, zmap.grid().nx, zmap.grid().ny}));
+        if (onlyHeights)
+            continue;
+        ASSERT_EQ(found.size(), records.size());
+        for (std::size_t k = 0; k < records.size(); ++k)
+            if (sequence.motions[k].recorded)
+                expectSame(found[k], records[k]);
     }
 }
 

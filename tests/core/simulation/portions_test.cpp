@@ -83,10 +83,11 @@ TEST(Portions, HaveTheHeightsRecordsAndFindingsOfSingleBlocks) {
         ZMap together(alone.snapshot());
         FindingLog aloneLog;
         FindingLog togetherLog;
+        PortionCutting cutting;
         for (std::size_t first = 0; first < program->blockCount();) {
             const std::size_t last = std::min(first + 1 + random() % 60, program->blockCount());
             const auto records =
-                cutBlocksInTurn(together, *program, first, last, *setup, tools, &togetherLog, {});
+                cutBlocksInTurn(together, *program, first, last, *setup, tools, &togetherLog, {}, cutting);
             ASSERT_TRUE(records);
             ASSERT_EQ(records->size(), last - first);
             for (; first < last; ++first) {
