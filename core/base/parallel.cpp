@@ -5,6 +5,7 @@
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #ifdef PROVEOUT_THREAD_SANITIZER
 extern "C" {
@@ -47,6 +48,10 @@ void run(std::size_t count, std::size_t grain, Work work, const void* body) {
         end.give();
     });
     end.take();
+}
+
+void runApart(void (*work)(const void* body), const void* body) {
+    tbb::this_task_arena::isolate([&] { work(body); });
 }
 
 } // namespace proveout::parallel_detail

@@ -12,6 +12,7 @@ namespace proveout {
 namespace parallel_detail {
 using Work = void (*)(const void* body, std::size_t first, std::size_t last);
 void run(std::size_t count, std::size_t grain, Work work, const void* body);
+void runApart(void (*work)(const void* body), const void* body);
 } // namespace parallel_detail
 
 /// Calls `body(first, last)` for ranges that together are [0, count), several at once, and returns when all
@@ -35,6 +36,13 @@ void inParallel(std::size_t count, const Body& body) {
         for (std::size_t k = first; k < last; ++k)
             body(k);
     });
+}
+
+/// Calls `body()`. While loops within it wait for other threads, this thread takes on nothing from outside of
+/// it, so that its time is that of its own work.
+template<class Body>
+void apart(const Body& body) {
+    parallel_detail::runApart([](const void* work) { (*static_cast<const Body*>(work))(); }, &body);
 }
 
 /// The largest of `valueOf(k)` for all k below `count`; at least 0. `valuesOfTask` are found one after the

@@ -18,6 +18,8 @@ namespace {
 // Families of seeds: a border and a region with the same index must not have the same random order.
 constexpr std::uint64_t kBorderSeeds = 1;
 constexpr std::uint64_t kRegionSeeds = 2;
+/// A border takes a hundredth of the time of a region: a few of them are not worth waking a thread.
+constexpr std::size_t kBordersOfTask = 64;
 
 int cellsOfRegions(int nx, int ny, const DecimationParameters& parameters) {
     return row(parameters.method).wholeMap ? std::max(nx, ny) - 1 : parameters.regionCells;
@@ -155,7 +157,7 @@ std::vector<RegionMeshPtr> Surface::decimateBatch(std::span<const std::size_t> r
     inParallel(regions.size(), [&](std::size_t k) {
         if (context.stopped())
             return;
-        RegionMeshPtr mesh = decimated(regions[k], moment, context.stop);
+        RegionMeshPtr mesh = decimated(regions[k], m_state.regionBorders(regions[k]), moment, context.stop);
         if (context.stopped())
             return; // perhaps in the middle of a region
         meshes[k] = std::move(mesh);
@@ -210,31 +212,59 @@ void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMa
     missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
 
     std::vector<BorderLinePtr> lines(missing.size());
-    inParallel(missing.size(), [&](std::size_t k) {
-        if (context.stopped())
-            return;
-        const IndexRect rect = grid().borderPoints(missing[k]);
-        const bool alongX = rect.height() == 1 && rect.width() > 1;
-        std::vector<float> heights(static_cast<std::size_t>(rect.width() * rect.height()));
-        moment.read(rect, heights);
-        const std::uint64_t seed = mixSeed(m_parameters.seed, kBorderSeeds, missing[k]);
-        const double step = alongX ? moment.grid().hx : moment.grid().hy;
-        const auto found = extras.find(missing[k]);
-        BorderSamples border{heights, step, seed, {}};
-        if (found != extras.end())
-            border.extras = found->second;
-        DecimationParameters parameters = m_parameters;
-        parameters.allowance = m_allowances.border(missing[k]);
-        lines[k] =
-            std::make_shared<const BorderLine>(row(m_parameters.method).simplifyBorder(border, parameters));
+    inParallelRanges(missing.size(), kBordersOfTask, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last && !context.stopped(); ++k) {
+            const auto found = extras.find(missing[k]);
+            lines[k] = borderLine(missing[k], moment,
+                                  found == extras.end() ? std::span<const std::uint32_t>() : found->second);
+        }
     });
     for (std::size_t k = 0; k < missing.size(); ++k)
         if (lines[k])
             drawBorder(missing[k], std::move(lines[k]));
 }
 
-RegionMeshPtr Surface::decimated(std::size_t region, const ZMapSnapshot& moment,
-                                 const std::stop_token& stop) const {
+BorderLinePtr Surface::borderLine(std::size_t border, const ZMapSnapshot& moment,
+                                  std::span<const std::uint32_t> extras) const {
+    const IndexRect rect = grid().borderPoints(border);
+    const bool alongX = rect.height() == 1 && rect.width() > 1;
+    std::vector<float> heights(static_cast<std::size_t>(rect.width() * rect.height()));
+    moment.read(rect, heights);
+    const BorderSamples samples{heights, alongX ? moment.grid().hx : moment.grid().hy,
+                                mixSeed(m_parameters.seed, kBorderSeeds, border), extras};
+    DecimationParameters parameters = m_parameters;
+    parameters.allowance = m_allowances.border(border);
+    return std::make_shared<const BorderLine>(row(m_parameters.method).simplifyBorder(samples, parameters));
+}
+
+MadeRegion Surface::make(std::size_t region, const ZMapSnapshot& moment, const std::stop_token& stop) const {
+    MadeRegion made;
+    if (m_parameters.borders == BorderRule::shared) {
+        const std::array<std::size_t, 4> indices = grid().borders(region);
+        for (std::size_t side = 0; side < indices.size(); ++side)
+            made.borders[side] = borderLine(indices[side], moment, {});
+    }
+    RegionMeshPtr mesh = decimated(region, made.borders, moment, stop);
+    if (!stop.stop_requested()) // else it may have been stopped in the middle
+        made.mesh = std::move(mesh);
+    return made;
+}
+
+void Surface::adopt(std::span<const std::size_t> regions, std::span<MadeRegion> made) {
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        const std::array<std::size_t, 4> indices = grid().borders(regions[k]);
+        for (std::size_t side = 0; side < indices.size(); ++side)
+            if (made[k].borders[side] && !m_state.borders[indices[side]])
+                drawBorder(indices[side], std::move(made[k].borders[side]));
+    }
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        assert(made[k].mesh->wanted.empty());
+        publish(regions[k], std::move(made[k].mesh));
+    }
+}
+
+RegionMeshPtr Surface::decimated(std::size_t region, const std::array<BorderLinePtr, 4>& borders,
+                                 const ZMapSnapshot& moment, const std::stop_token& stop) const {
     DecimatorPool::Loan worker(*m_pool, row(m_parameters.method));
     RegionDecimator& decimator = *(*worker).decimator;
     std::vector<float>& heights = (*worker).heights;
@@ -244,7 +274,7 @@ RegionMeshPtr Surface::decimated(std::size_t region, const ZMapSnapshot& moment,
     const RegionSamples samples{rect, moment.grid().hx, moment.grid().hy, heights};
     DecimationParameters parameters = m_parameters;
     parameters.allowance = m_allowances.region(region);
-    RegionMesh mesh = decimator.decimate(grid(), samples, m_state.regionBorders(region),
+    RegionMesh mesh = decimator.decimate(grid(), samples, borders,
                                          mixSeed(m_parameters.seed, kRegionSeeds, region), parameters, stop);
     mesh.allowance = parameters.allowance;
     return std::make_shared<const RegionMesh>(std::move(mesh));

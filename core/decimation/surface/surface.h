@@ -7,6 +7,8 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/persistent_array.h"
@@ -39,6 +41,12 @@ struct SurfaceSnapshot {
     [[nodiscard]] std::vector<LatticeTriangle> releaseTriangles();
     /// The largest measured error of the decimated regions, mm.
     [[nodiscard]] double largestError() const;
+};
+
+/// A region's mesh and borders as its heights make them.
+struct MadeRegion {
+    RegionMeshPtr mesh; ///< null: not made
+    std::array<BorderLinePtr, 4> borders;
 };
 
 /// The surface that follows a z-map. Owned by one thread. A border is drawn as its polyline while at least
@@ -82,6 +90,15 @@ public:
     std::size_t decimateRegions(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
                                 const WorkContext& context = {});
 
+    /// What decimateRegions() makes of one region at level `sample`, whatever the other regions show: a
+    /// function of the heights. Does not change the surface; several threads may call it at once. Without a
+    /// mesh if it was stopped.
+    [[nodiscard]] MadeRegion make(std::size_t region, const ZMapSnapshot& moment,
+                                  const std::stop_token& stop) const;
+    /// decimateRegions() with what was made before for the same heights: one entry per region, each with a
+    /// mesh.
+    void adopt(std::span<const std::size_t> regions, std::span<MadeRegion> made);
+
     [[nodiscard]] SurfaceSnapshot snapshot() const { return m_state; }
 
 private:
@@ -94,8 +111,10 @@ private:
                                                            const WorkContext& context) const;
     [[nodiscard]] std::vector<std::size_t> redraw(ExtrasOfBorders wanted, const std::set<std::size_t>& worked,
                                                   const ZMapSnapshot& moment, const WorkContext& context);
-    [[nodiscard]] RegionMeshPtr decimated(std::size_t region, const ZMapSnapshot& moment,
-                                          const std::stop_token& stop) const;
+    [[nodiscard]] BorderLinePtr borderLine(std::size_t border, const ZMapSnapshot& moment,
+                                           std::span<const std::uint32_t> extras) const;
+    [[nodiscard]] RegionMeshPtr decimated(std::size_t region, const std::array<BorderLinePtr, 4>& borders,
+                                          const ZMapSnapshot& moment, const std::stop_token& stop) const;
     void publish(std::size_t region, RegionMeshPtr mesh);
     void drawBorder(std::size_t border, BorderLinePtr line);
     void releaseBorderIfUnused(std::size_t border);

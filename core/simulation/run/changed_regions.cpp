@@ -61,18 +61,11 @@ std::vector<std::size_t> differingRegions(const ZMapSnapshot& a, const ZMapSnaps
 }
 
 void touchChanged(Surface& surface, const ZMap& zmap, const ZMapSnapshot& base, const IndexRect& changed) {
-    const RegionGrid& grid = surface.grid();
-    if (changed.empty() || surface.dirtyRegions() == grid.regionCount())
+    if (surface.dirtyRegions() == surface.grid().regionCount())
         return;
-    const IndexRect regions = grid.regionsTouching(changed);
-    for (int ry = regions.j0; ry < regions.j1; ++ry)
-        for (int rx = regions.i0; rx < regions.i1; ++rx) {
-            const auto region = grid.regionAt(rx, ry);
-            if (surface.isDirty(region))
-                continue;
-            if (!sameHeights(zmap, base, intersection(grid.points(region), changed)))
-                surface.touchRegion(region);
-        }
+    forChangedRegions(
+        zmap, base, changed, surface.grid(), [&](std::size_t region) { return surface.isDirty(region); },
+        [&](std::size_t region) { surface.touchRegion(region); });
 }
 
 } // namespace proveout

@@ -62,8 +62,8 @@ public:
     /// stock is kept, for runs that only move forward.
     void setCheckpointBudget(std::size_t bytes);
 
-    /// How many bytes may be allocated from now on, instead of memoryLimitBytes() when it was prepared. With a
-    /// larger surface all is drawn from the z-map until there are other parameters; a finding says so.
+    /// How many bytes may be allocated from now on, instead of memoryLimitBytes() when it was prepared. With
+    /// a larger surface all is drawn from the z-map until there are other parameters; a finding says so.
     void allowMemory(std::uint64_t bytes);
 
     /// Keeps only findings from now on, before the first block: rows are not recorded, which makes cutting
@@ -100,6 +100,7 @@ public:
     [[nodiscard]] Frame frame() const;
 
 private:
+    friend class PlayAhead;
     struct State;
     explicit Simulation(std::unique_ptr<State> state);
     std::unique_ptr<State> m_state;

@@ -10,6 +10,7 @@
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/block_rows.h"
 #include "core/simulation/run/changed_regions.h"
+#include "core/simulation/run/play_ahead.h"
 #include "core/simulation/run/portions.h"
 #include "core/simulation/setup/automatic_grid.h"
 #include "core/simulation/setup/stock_position.h"
@@ -240,14 +241,23 @@ void Simulation::State::keepNew(StockRun&& run, std::size_t known) {
 }
 
 void Simulation::State::play(std::size_t block, const WorkContext& context) {
-    for (std::size_t next = 0; next < block && !context.stopped(); ++next) {
-        if (next < rows.size() && rows[next].isPlayed())
+    const auto isPlayed = [&](std::size_t one) { return one < rows.size() && rows[one].isPlayed(); };
+    for (std::size_t next = 0; next < block && !context.stopped();) {
+        std::size_t last = next;
+        while (last < block && !isPlayed(last))
+            ++last;
+        if (last == next) {
+            ++next;
             continue;
-        if (stock.block != next)
+        }
+        if (stock.block != next || behind)
             seek(next, context.quiet());
-        if (stock.block == next)
-            step(context.quiet());
-        context.report(static_cast<double>(next) / static_cast<double>(block));
+        const auto part = [&](std::size_t at) {
+            return static_cast<double>(at) / static_cast<double>(block);
+        };
+        if (!context.stopped())
+            PlayAhead(*this, last).run(context.part(part(next), part(last)));
+        next = stock.block; // before `last` if the surface needs too much memory
     }
     if (!context.stopped())
         seek(block, context.quiet());

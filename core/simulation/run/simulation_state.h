@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of a simulation, and how it moves from block to block. Only simulation*.cpp include this.
+// The state of a simulation, and how it moves from block to block. Only simulation*.cpp and PlayAhead include
+// this.
 #pragma once
 
 #include <cstddef>

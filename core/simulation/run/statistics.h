@@ -21,6 +21,7 @@ struct BlockStatistics {
     std::uint32_t regionsDirty = 0;     ///< regions drawn from the z-map after the block, if it was measured
     std::uint32_t regionsDecimated = 0; ///< regions decimated at the end of the block, if it was played
     float cutSeconds = kNotMeasured;
+    /// Of several moments made at once (PlayAhead), each has its share of the wall time.
     float decimationSeconds = kNotMeasured;
     // Without records (Recording::findings) the rest is not measured either.
     float maxDepth = 0;         ///< largest height removed at a point, mm: the axial depth

@@ -31,6 +31,8 @@ void SurfaceMemory::begin(const Setup& setup, const Grid& grid, const Decimation
 
 bool SurfaceMemory::limit(std::size_t regions, const WorkContext& context,
                           const std::function<void(const WorkContext&)>& work) {
+    if (m_exceeded && regions > 0)
+        return false;
     if (m_worst <= static_cast<double>(m_allowed) || (m_unseen += regions) < kRegionsPerLook) {
         work(context);
         return true;

@@ -24,7 +24,7 @@ public:
     void begin(const Setup& setup, const Grid& grid, const DecimationParameters& parameters);
 
     /// Does work on so many regions, with a context that is stopped when the memory is used up as well.
-    /// Returns false if it was: the surface must be given up.
+    /// Returns false if it was: the surface must be given up, and no more work is done until another begins.
     [[nodiscard]] bool limit(std::size_t regions, const WorkContext& context,
                              const std::function<void(const WorkContext&)>& work);
 

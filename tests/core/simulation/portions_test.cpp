@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A seek over blocks that were never executed cuts many at once. Whatever the portions, the heights, records
 // and findings must be those of one block after the other, to the last bit, wherever the seek is stopped.
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <random>
 #include <sstream>
+#include <stop_token>
 #include <string>
+#include <thread>
+#include <tuple>
 #include <vector>
 
 #include "core/cutter/cutter.h"
@@ -232,6 +237,68 @@ TEST(Play, MeasuresWhatASeekHasPassed) {
         EXPECT_EQ(row.regionsDecimated, wanted.regionsDecimated) << k;
     }
     EXPECT_EQ(difference(simulation->frame(), straight.back()), "");
+}
+
+/// All values of a row except times.
+auto outcome(const BlockStatistics& row) {
+    return std::make_tuple(row.facesShown, row.facesFull, row.regionsDirty, row.regionsDecimated,
+                           row.maxDepth, row.radialEngagement, row.removedMm3);
+}
+
+/// The surface of many moments is made at once, while the blocks after them are cut.
+TEST(Play, HasTheRowsAndTheSurfaceOfStepsWhereverItIsStopped) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < roundsOf(8); ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        const auto program = programOf(eventfulProgram(random(), 300));
+        const auto setup = smallSetup(0.2);
+        DecimationParameters parameters;
+        parameters.method =
+            std::array{DecimationMethod::certified, DecimationMethod::certified, DecimationMethod::lee,
+                       DecimationMethod::none}[static_cast<std::size_t>(round % 4)];
+        parameters.regionCells = 4 << random() % 4;
+        parameters.period = std::array{1, 2, 5, 60, -1}[random() % 5];
+        parameters.borders = random() % 4 == 0 ? BorderRule::paper : BorderRule::shared;
+        const auto straight = straightRun(program, setup, parameters);
+        const auto simulation = startedSimulation(program, setup, parameters);
+        for (int turn = 0; turn < 4; ++turn) {
+            if (random() % 3 == 0)
+                simulation->seek(random() % (program->blockCount() + 1));
+            std::stop_source source;
+            const auto wait = std::chrono::microseconds(random() % 60'000);
+            const std::jthread stopper([&] {
+                std::this_thread::sleep_for(wait);
+                source.request_stop();
+            });
+            double reported = 0;
+            const std::size_t goal = random() % (program->blockCount() + 1);
+            simulation->play(goal, {source.get_token(), [&](double done) {
+                                        EXPECT_GE(done, reported);
+                                        reported = done;
+                                    }});
+            const Frame frame = simulation->frame();
+            ASSERT_TRUE(sameZMap(frame.zmap, straight[frame.block].zmap));
+            for (std::size_t k = 0; k < frame.statistics.size(); ++k) {
+                if (frame.statistics[k].isPlayed()) {
+                    ASSERT_EQ(outcome(frame.statistics[k]), outcome(straight.back().statistics[k])) << k;
+                }
+                ASSERT_EQ(frame.statistics[k].removedMm3, straight.back().statistics[k].removedMm3) << k;
+            }
+            simulation->seek(simulation->position());
+            ASSERT_EQ(difference(simulation->frame(), straight[frame.block]), "") << "at " << frame.block;
+        }
+        simulation->play(program->blockCount());
+        const Frame frame = simulation->frame();
+        ASSERT_EQ(difference(frame, straight.back()), "");
+        ASSERT_EQ(frame.findings, straight.back().findings);
+        ASSERT_EQ(frame.removedMm3, straight.back().removedMm3);
+        for (std::size_t k = 0; k < program->blockCount(); ++k) {
+            ASSERT_TRUE(frame.statistics[k].isPlayed()) << k;
+            ASSERT_EQ(outcome(frame.statistics[k]), outcome(straight.back().statistics[k])) << k;
+        }
+    }
 }
 
 } // namespace

@@ -75,6 +75,22 @@ TEST(SurfaceMemory, IsDecimatedAgainWithOtherParameters) {
     EXPECT_EQ(difference(simulation->frame(), fresh->frame()), "");
 }
 
+TEST(SurfaceMemory, IsGivenUpWhileAProgramIsPlayed) {
+    const auto program = programOf(randomProgram(5, 60));
+    const auto played = startedSimulation(program, manyRegions(), smallestRegions());
+    const auto more = useUp(*played); // the uncut stock was decimated before
+    played->play(60);
+    EXPECT_TRUE(played->settled());
+    EXPECT_TRUE(hasFinding(played->frame()));
+    const auto fresh = startedSimulation(program, manyRegions(), smallestRegions());
+    fresh->seek(60);
+    EXPECT_EQ(played->position(), 60U);
+    EXPECT_TRUE(sameZMap(played->frame().zmap, fresh->frame().zmap));
+    EXPECT_EQ(played->frame().findings.size(), fresh->frame().findings.size() + 1);
+    for (std::size_t block = 0; block < 60; ++block)
+        EXPECT_EQ(played->rows()[block].removedMm3, fresh->rows()[block].removedMm3) << block;
+}
+
 TEST(SurfaceMemory, OfAnEditedProgramStaysGivenUp) {
     auto simulation =
         Simulation::prepare(programOf(randomProgram(3, 60)), manyRegions(), smallestRegions()).value();
