@@ -252,11 +252,11 @@ void Simulation::State::play(std::size_t block, const WorkContext& context) {
         }
         if (stock.block != next || behind)
             seek(next, context.quiet());
-        const auto part = [&](std::size_t at) {
-            return static_cast<double>(at) / static_cast<double>(block);
-        };
+        const auto all = static_cast<double>(block);
+        const WorkContext part =
+            context.part(static_cast<double>(next) / all, static_cast<double>(last) / all);
         if (!context.stopped())
-            PlayAhead(*this, last).run(context.part(part(next), part(last)));
+            PlayAhead(*this, last).run(part);
         next = stock.block; // before `last` if the surface needs too much memory
     }
     if (!context.stopped())
