@@ -7426,6 +7426,34 @@ Vorgabe: 0 mm</translation>
         <translation>Auf einfache Genauigkeit gerundet, liegt die Datei bis zu {} mm neben der Z-Map, mehr als der zulässige Fehler von {} mm; ein Format mit doppelter Genauigkeit bliebe bei {} mm.</translation>
     </message>
     <message>
+        <source>Touching parts set apart</source>
+        <translation>Berührende Teile getrennt</translation>
+    </message>
+    <message>
+        <source>The mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm, where parts of the solid that touch at a steep wall are set apart.</source>
+        <translation>Das Netz weicht bis zu {} mm von der Z-Map ab, mehr als der zulässige Fehler von {} mm, wo an einer steilen Wand Teile des Körpers getrennt werden, die sich berühren.</translation>
+    </message>
+    <message>
+        <source>Make the stock slightly lower or higher, so that cuts do not end at its floor.</source>
+        <translation>Ändern Sie die Höhe des Rohteils etwas, damit Schnitte nicht an seinem Boden enden.</translation>
+    </message>
+    <message>
+        <source>Rounding too large</source>
+        <translation>Rundung zu groß</translation>
+    </message>
+    <message>
+        <source>Single precision rounds positions in this stock by up to {} mm, more than half of the error allowance of {} mm; an allowance of at least {} mm or a format in double precision is needed.</source>
+        <translation>Einfache Genauigkeit rundet Positionen in diesem Rohteil um bis zu {} mm, mehr als die Hälfte des zulässigen Fehlers von {} mm; nötig ist ein zulässiger Fehler von mindestens {} mm oder ein Format mit doppelter Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Rounding to single precision changes heights on steep walls by up to {} mm, more than half of the error allowance of {} mm; an allowance of about {} mm or a format in double precision is needed.</source>
+        <translation>Das Runden auf einfache Genauigkeit ändert Höhen an steilen Wänden um bis zu {} mm, mehr als die Hälfte des zulässigen Fehlers von {} mm; nötig ist ein zulässiger Fehler von etwa {} mm oder ein Format mit doppelter Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Export to a format with coordinates in double precision ({4}), or move the stock nearer to the origin.</source>
+        <translation>Exportieren Sie in ein Format mit Koordinaten in doppelter Genauigkeit ({4}), oder legen Sie das Rohteil näher an den Nullpunkt.</translation>
+    </message>
+    <message>
         <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; a format in double precision can hold it.</source>
         <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; ein Format mit doppelter Genauigkeit kann es halten.</translation>
     </message>

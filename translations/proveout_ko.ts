@@ -7426,6 +7426,34 @@ Default: 0 mm</source>
         <translation>단정밀도로 반올림하면 파일이 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. 배정밀도 형식이라면 {} mm를 유지합니다.</translation>
     </message>
     <message>
+        <source>Touching parts set apart</source>
+        <translation>맞닿은 부분을 떼어 놓음</translation>
+    </message>
+    <message>
+        <source>The mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm, where parts of the solid that touch at a steep wall are set apart.</source>
+        <translation>가파른 벽에서 맞닿는 솔리드 부분을 떼어 놓은 곳에서 메시가 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Make the stock slightly lower or higher, so that cuts do not end at its floor.</source>
+        <translation>절삭이 소재 바닥에서 끝나지 않도록 소재 높이를 조금 바꾸십시오.</translation>
+    </message>
+    <message>
+        <source>Rounding too large</source>
+        <translation>반올림이 너무 큼</translation>
+    </message>
+    <message>
+        <source>Single precision rounds positions in this stock by up to {} mm, more than half of the error allowance of {} mm; an allowance of at least {} mm or a format in double precision is needed.</source>
+        <translation>단정밀도는 이 소재의 위치를 최대 {} mm 반올림하며, 이는 허용 오차 {} mm의 절반을 넘습니다. {} mm 이상의 허용 오차 또는 배정밀도 형식이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Rounding to single precision changes heights on steep walls by up to {} mm, more than half of the error allowance of {} mm; an allowance of about {} mm or a format in double precision is needed.</source>
+        <translation>단정밀도로 반올림하면 가파른 벽에서 높이가 최대 {} mm 바뀌며, 이는 허용 오차 {} mm의 절반을 넘습니다. 약 {} mm의 허용 오차 또는 배정밀도 형식이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Export to a format with coordinates in double precision ({4}), or move the stock nearer to the origin.</source>
+        <translation>좌표를 배정밀도로 담는 형식({4})으로 내보내거나 소재를 원점에 더 가깝게 두십시오.</translation>
+    </message>
+    <message>
         <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; a format in double precision can hold it.</source>
         <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개지거나 뒤집히고 정점 {}개가 다른 정점과 겹칩니다. 배정밀도 형식으로는 담을 수 있습니다.</translation>
     </message>

@@ -102,10 +102,10 @@ void BoxOutput::run(const Program& program, const Setup& setup, std::size_t bloc
 
 void BoxOutput::writeStl(Report& report) {
     const DecimationParameters parameters = fineParameters(m_spacing);
-    const TriangleMesh solid =
-        closeSolid(m_fine.zmap, decimatedWhole(m_fine.zmap, parameters).releaseTriangles());
-    auto exported = exportSolid(m_stl, *findFormat("stl")->meshWriter(), solid, m_fine.zmap,
-                                parameters.allowance, errorLevel(parameters));
+    SolidForExport solid(m_fine.zmap,
+                         closeSolid(m_fine.zmap, decimatedWhole(m_fine.zmap, parameters).releaseTriangles()),
+                         errorLevel(parameters));
+    auto exported = exportSolid(m_stl, *findFormat("stl")->meshWriter(), solid, parameters);
     if (!exported)
         return report.addFatal(std::move(exported.error()));
     report.add(exported->warnings);

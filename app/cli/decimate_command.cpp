@@ -58,6 +58,8 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameter
                         options.decimation.apply(parameters, {}, static_cast<double>(grid.nx) * grid.ny);
                         if (solid)
                             parameters.regionCells = forExport(parameters).regionCells;
+                        if (auto rounding = options.meshes.checkRounding(parameters, stock); !rounding)
+                            return rounding;
                         const Grid* full = writesFullMesh(parameters) ? &grid : nullptr;
                         if (auto space = checkOutputs({options.zmap}, options.meshes.outputs(full)); !space)
                             return space;
@@ -77,14 +79,21 @@ ExitCode run(const DecimateOptions& options) {
             printJson({{"findings", report.findings()}, {"unverified", report.unverified()}});
         return report.exitCode();
     }
-    const StopWatch watch;
-    SurfaceSnapshot result =
-        decimatedWhole(*zmap, allowForRounding(parameters, options.meshes.coordinates(), zmap->stock()));
-    const double seconds = watch.seconds();
-    const MeasuredSurface measured = measure(result, *zmap, parameters);
+    const FileAllowance allowance(parameters, options.meshes.coordinates(), zmap->stock());
+    SurfaceSnapshot result;
+    MeasuredSurface measured;
+    double seconds = 0;
+    const auto make = [&](const DecimationParameters& of) {
+        const StopWatch watch;
+        result = decimatedWhole(*zmap, of);
+        seconds += watch.seconds();
+        measured = measure(result, *zmap, parameters);
+        return true;
+    };
+    make(allowance.parameters());
     std::vector<MeshOutput> written;
     if (options.meshes.wanted())
-        written = options.meshes.write(*zmap, result, parameters, report);
+        written = options.meshes.write(*zmap, result, allowance, make, report).value();
     const double error = largestErrorMm(measured.largestErrorMm, written, parameters.allowance);
     if (!options.json) {
         fmt::print("{} of {} triangles, largest vertical error {:.6f} mm, {:.3f} s\n", result.faces,

@@ -16,11 +16,18 @@ namespace proveout::cli {
 
 namespace {
 
+/// What the files must keep. A full mesh keeps every point, and nothing can be done about its rounding.
+FileAllowance allowanceOf(const FinalSurface::Order& order) {
+    DecimationParameters promised = order.scheduled;
+    if (!order.decimated)
+        promised.method = DecimationMethod::none;
+    return {promised, order.coordinates, order.job.setup.stock};
+}
+
 /// Within the allowance in the files too. Otherwise the regions of the simulation are used again.
 SurfaceSnapshot decimatedSurface(const Simulation& simulation, const FinalSurface::Order& order,
                                  const WorkContext& context) {
-    const DecimationParameters parameters =
-        allowForRounding(order.scheduled, order.coordinates, order.job.setup.stock);
+    const DecimationParameters parameters = allowanceOf(order).parameters();
     return parameters == order.scheduled ? simulation.decimatedNow(context)
                                          : decimatedWhole(simulation.zmap(), forExport(parameters), context);
 }
@@ -53,24 +60,28 @@ bool FinalSurface::unlessTooLarge(const Order& order, const Grid& grid, Report& 
 }
 
 bool FinalSurface::make(const Simulation& simulation, const Order& order, Report& report) {
-    return unlessTooLarge(order, simulation.zmap().grid(), report,
-                          [&] { return makeWatched(simulation, order); });
+    const ZMapSnapshot zmap = simulation.zmap();
+    const Grid& grid = zmap.grid();
+    return unlessTooLarge(order, grid, report, [&] {
+        return makeWatched(zmap, order, [&](const WorkContext& context) {
+            return order.decimated ? decimatedSurface(simulation, order, context)
+                                   : Surface(grid.nx, grid.ny, order.job.parameters).snapshot();
+        });
+    });
 }
 
-bool FinalSurface::makeWatched(const Simulation& simulation, const Order& order) {
+template<class Decimate>
+bool FinalSurface::makeWatched(const ZMapSnapshot& zmap, const Order& order, const Decimate& decimate) {
     const StopWatch watch;
     const bool fits = order.forecastBytes <= static_cast<double>(m_limitBytes);
     std::optional<MemoryWatch> memory;
     if (!fits)
         memory.emplace(m_mostBytes);
     const WorkContext context{memory ? memory->stop() : std::stop_token(), {}};
-    const ZMapSnapshot zmap = simulation.zmap();
-    const Grid& grid = zmap.grid();
-    m_surface = order.decimated ? decimatedSurface(simulation, order, context)
-                                : Surface(grid.nx, grid.ny, order.job.parameters).snapshot();
-    m_decimationSeconds = watch.seconds();
+    m_surface = decimate(context);
+    m_decimationSeconds += watch.seconds();
     if (!fits &&
-        (memory->exceeded() || surfaceBytes(grid, m_surface->faces, order.outputs) > availableBytes()))
+        (memory->exceeded() || surfaceBytes(zmap.grid(), m_surface->faces, order.outputs) > availableBytes()))
         return false;
     if (order.measured)
         m_measured = measure(*m_surface, zmap, order.job.parameters);
@@ -80,8 +91,15 @@ bool FinalSurface::makeWatched(const Simulation& simulation, const Order& order)
 bool FinalSurface::write(const MeshOutputs& meshes, const ZMapSnapshot& zmap, const Order& order,
                          Report& report) {
     return unlessTooLarge(order, zmap.grid(), report, [&] {
-        m_written = meshes.write(zmap, *m_surface, order.job.parameters, report);
-        return true;
+        const auto makeAgain = [&](const DecimationParameters& parameters) {
+            return makeWatched(zmap, order, [&](const WorkContext& context) {
+                return decimatedWhole(zmap, forExport(parameters), context);
+            });
+        };
+        auto written = meshes.write(zmap, *m_surface, allowanceOf(order), makeAgain, report);
+        if (written)
+            m_written = std::move(*written);
+        return written.has_value();
     });
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/memory.h"
 #include "core/base/work_context.h"
 #include "core/decimation/surface/map_memory.h"
+#include "core/formats/file_allowance.h"
 #include "core/formats/job_file.h"
 #include "core/simulation/run/simulation.h"
 
@@ -37,14 +38,15 @@ public:
 
     /// Makes the surface. False if it needs too much memory; that is reported.
     bool make(const Simulation& simulation, const Order& order, Report& report);
-    /// Closes the surface and writes all files of `meshes`; the same.
+    /// Closes the surface and writes all files of `meshes`; the same. If a file would exceed the allowance,
+    /// the surface is made again for less.
     bool write(const MeshOutputs& meshes, const ZMapSnapshot& zmap, const Order& order, Report& report);
 
     /// Valid once it is made; its triangles are gone once it is written.
     [[nodiscard]] const SurfaceSnapshot& surface() const { return *m_surface; }
     [[nodiscard]] const MeasuredSurface& measured() const { return m_measured; }
     [[nodiscard]] const std::vector<MeshOutput>& written() const { return m_written; }
-    /// Of make(): the rest of its time went into measuring.
+    /// The rest of the time of make() and write() went into measuring, closing and writing.
     [[nodiscard]] double decimationSeconds() const { return m_decimationSeconds; }
 
 private:
@@ -53,7 +55,9 @@ private:
     bool unlessTooLarge(const Order& order, const Grid& grid, Report& report, const Work& work);
     /// What the run may still allocate. (Asking the system again would count the threads twice.)
     [[nodiscard]] double availableBytes() const;
-    bool makeWatched(const Simulation& simulation, const Order& order);
+    /// Makes the surface by `decimate(context)`, and measures it. False if there is not enough memory.
+    template<class Decimate>
+    bool makeWatched(const ZMapSnapshot& zmap, const Order& order, const Decimate& decimate);
 
     std::uint64_t m_limitBytes = memoryLimitBytes();
     std::uint64_t m_mostBytes = residentMemoryBytes() + m_limitBytes; ///< resident

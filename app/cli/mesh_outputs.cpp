@@ -59,14 +59,40 @@ const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
     return format == binary && m_asciiStl ? *findFormat("stl-ascii") : *format;
 }
 
-std::vector<MeshOutput> MeshOutputs::write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
-                                           const DecimationParameters& parameters, Report& report) const {
+Result<void> MeshOutputs::checkRounding(const DecimationParameters& promised, const StockBox& stock) const {
+    for (const std::string& file : files())
+        if (auto fine =
+                proveout::checkRounding(file, formatOf(file).meshWriter()->coordinates, promised, stock);
+            !fine)
+            return fine;
+    return {};
+}
+
+std::optional<std::vector<MeshOutput>> MeshOutputs::write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
+                                                          FileAllowance allowance, const MakeAgain& makeAgain,
+                                                          Report& report) const {
+    const auto close = [&] {
+        return SolidForExport(zmap, closeSolid(zmap, surface.releaseTriangles()),
+                              errorLevel(allowance.promised()));
+    };
+    std::optional<SolidForExport> solid = close();
+    while (allowance.reduce(*solid)) {
+        solid.reset(); // two of them may not fit into memory
+        if (!makeAgain(allowance.parameters()))
+            return std::nullopt;
+        solid = close();
+    }
+    return writeAll(*solid, allowance, report);
+}
+
+std::vector<MeshOutput> MeshOutputs::writeAll(SolidForExport& solid, const FileAllowance& allowance,
+                                              Report& report) const {
     std::vector<MeshOutput> written;
-    const TriangleMesh solid = closeSolid(zmap, surface.releaseTriangles());
     for (const std::string& file : files()) {
         const FileFormat& format = formatOf(file);
-        auto exported = exportSolid(file, *format.meshWriter(), solid, zmap, parameters.allowance,
-                                    errorLevel(parameters));
+        auto exported = allowance.check(file, format.meshWriter()->coordinates).and_then([&] {
+            return exportSolid(file, *format.meshWriter(), solid, allowance.promised());
+        });
         if (!exported) {
             report.addFatal(std::move(exported.error()));
             continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "app/cli/report.h"
 #include "core/decimation/regions/parameters.h"
 #include "core/decimation/surface/surface.h"
+#include "core/formats/file_allowance.h"
 #include "core/formats/solid_export.h"
 
 namespace proveout::cli {
@@ -38,15 +41,25 @@ public:
     /// The type of the coordinates of all files: single precision if one of them has it.
     [[nodiscard]] CoordinateType coordinates() const;
 
-    /// Closes a surface with these parameters into a solid, consuming its triangles, and writes every file.
-    /// Warnings and errors are added to the report.
-    [[nodiscard]] std::vector<MeshOutput> write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
-                                                const DecimationParameters& parameters, Report& report) const;
+    /// Refuses the files that cannot keep the allowance of a surface with these parameters, whatever is cut.
+    [[nodiscard]] Result<void> checkRounding(const DecimationParameters& promised,
+                                             const StockBox& stock) const;
+
+    /// Makes the surface again with other parameters; false if that is not possible.
+    using MakeAgain = std::function<bool(const DecimationParameters&)>;
+    /// Closes a surface made for `allowance` into a solid, consuming its triangles, and writes every file. If
+    /// a file would exceed the promised allowance, `surface` is first made again for less, by `makeAgain`; if
+    /// that is false, nothing is written and the result empty. Warnings and errors are added to the report.
+    [[nodiscard]] std::optional<std::vector<MeshOutput>>
+    write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface, FileAllowance allowance,
+          const MakeAgain& makeAgain, Report& report) const;
     /// Adds "exports", one row per file, and "stl" if that option was given.
     void addTo(nlohmann::ordered_json& object, const std::vector<MeshOutput>& written) const;
 
 private:
     [[nodiscard]] const FileFormat& formatOf(const std::string& file) const;
+    [[nodiscard]] std::vector<MeshOutput> writeAll(SolidForExport& solid, const FileAllowance& allowance,
+                                                   Report& report) const;
 
     std::string m_stl;
     std::vector<std::string> m_exports;

@@ -120,7 +120,10 @@ private:
         if ((!automatic && !checkGrid()) || !interpretProgram())
             return false;
         SetupOptions::settleGrid(m_job, *m_program, mapOutputs());
-        const bool ready = (!automatic || checkGrid()) && fine(checkOutputs(inputs(), sizedOutputs()));
+        const bool ready = (!automatic || checkGrid()) &&
+                           (m_options.mesh == "full" ||
+                            fine(m_options.meshes.checkRounding(m_job.parameters, m_job.setup.stock))) &&
+                           fine(checkOutputs(inputs(), sizedOutputs()));
         m_seconds.prepare += lap();
         return ready;
     }
@@ -304,8 +307,11 @@ private:
     bool writeMeshes() {
         if (!m_options.meshes.wanted())
             return true;
+        const double before = m_surface.decimationSeconds();
         const bool complete = m_surface.write(m_options.meshes, m_frame.zmap, order(), m_report);
-        m_seconds.write += lap();
+        const double again = m_surface.decimationSeconds() - before;
+        m_seconds.decimate += again;
+        m_seconds.write += lap() - again;
         return complete;
     }
 

@@ -25,6 +25,36 @@ inline constexpr FindingRow kExportRoundedBeyond{
                   "Rounded to single precision, the mesh deviates from the z-map by up to {} mm, "
                   "more than the error allowance of {} mm; a format in double precision would keep {} mm."),
     PROVEOUT_TEXT("Core", "Export to a format with coordinates in double precision: {4}.")};
+inline constexpr FindingRow kExportSetApart{
+    Severity::warning,
+    false,
+    "export-set-apart",
+    PROVEOUT_TEXT("Core", "Touching parts set apart"),
+    PROVEOUT_TEXT("Core", "The mesh deviates from the z-map by up to {} mm, more than the error allowance of "
+                          "{} mm, where parts of the solid that touch at a steep wall are set apart."),
+    PROVEOUT_TEXT("Core", "Make the stock slightly lower or higher, so that cuts do not end at its floor.")};
+inline constexpr FindingRow kExportRoundingTooLarge{
+    Severity::error,
+    false,
+    "export-rounding-too-large",
+    PROVEOUT_TEXT("Core", "Rounding too large"),
+    PROVEOUT_TEXT(
+        "Core",
+        "Single precision rounds positions in this stock by up to {} mm, more than half of the error "
+        "allowance of {} mm; an allowance of at least {} mm or a format in double precision is needed."),
+    PROVEOUT_TEXT("Core", "Export to a format with coordinates in double precision ({4}), or move the stock "
+                          "nearer to the origin.")};
+inline constexpr FindingRow kExportWallsTooSteep{
+    Severity::error,
+    false,
+    "export-rounding-too-large",
+    PROVEOUT_TEXT("Core", "Rounding too large"),
+    PROVEOUT_TEXT(
+        "Core", "Rounding to single precision changes heights on steep walls by up to {} mm, more than half "
+                "of the error allowance of {} mm; an allowance of about {} mm or a format in double "
+                "precision is needed."),
+    PROVEOUT_TEXT("Core", "Export to a format with coordinates in double precision ({4}), or move the stock "
+                          "nearer to the origin.")};
 inline constexpr FindingRow kNothingLeft{Severity::error,
                                          false,
                                          "nothing-left",
@@ -69,8 +99,9 @@ inline constexpr FindingRow kStlCoordinate{
     PROVEOUT_TEXT("Core", "The vertex {}, {}, {} is out of the range of STL."),
     ""};
 
-inline constexpr std::array kExportRows{&kExportFormatUnknown, &kExportRoundedBeyond, &kNothingLeft,
-                                        &kMeshCoordinate,      &kCancelledWriting,    &kStlTooCoarse,
-                                        &kStlTooManyTriangles, &kStlCoordinate};
+inline constexpr std::array kExportRows{&kExportFormatUnknown,    &kExportRoundedBeyond, &kExportSetApart,
+                                        &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,
+                                        &kMeshCoordinate,         &kCancelledWriting,    &kStlTooCoarse,
+                                        &kStlTooManyTriangles,    &kStlCoordinate};
 
 } // namespace proveout::export_finding

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/solid_export.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
-#include <string>
 #include <utility>
 
 #include "core/base/figures_argument.h"
 #include "core/decimation/regions/region_decimator.h"
 #include "core/decimation/solid/solid_error.h"
+#include "core/formats/distinguished.h"
 #include "core/formats/export_findings.h"
 #include "core/formats/mesh_writing.h"
 
@@ -21,60 +18,64 @@ namespace {
 /// The share of measuring in the progress; writing takes longer.
 constexpr double kMeasured = 0.3;
 
-/// With the fewest digits that distinguish the value from the other one.
-std::string distinguished(double value, double other) {
-    constexpr int kFewest = 4;
-    for (int digits = kFewest; digits < std::numeric_limits<double>::max_digits10; ++digits)
-        if (std::string text = fmt::format("{:.{}g}", value, digits);
-            text != fmt::format("{:.{}g}", other, digits))
-            return text;
-    return fmt::format("{}", value);
+Diagnostic roundedBeyond(double rounded, double allowance, double exact) {
+    return diagnosticOf(export_finding::kExportRoundedBeyond,
+                        {figures("{}", distinguished(rounded, allowance)), figures("{}", allowance),
+                         figures("{:.4g}", exact), exactMeshEndings()});
 }
 
-Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, double allowance, double exact) {
-    Diagnostic warning =
-        diagnosticOf(export_finding::kExportRoundedBeyond,
-                     {figures("{}", distinguished(rounded, allowance)), figures("{}", allowance),
-                      figures("{:.4g}", exact), exactMeshEndings()});
-    warning.file = file.string();
-    return warning;
+Diagnostic setApart(double error, double allowance) {
+    return diagnosticOf(export_finding::kExportSetApart,
+                        {figures("{}", distinguished(error, allowance)), figures("{}", allowance)});
 }
 
-/// How far rounding to single precision moves a coordinate between two bounds at most.
-double roundingBetween(double low, double high) {
-    const auto farthest = static_cast<float>(std::max(std::abs(low), std::abs(high)));
-    const float next = std::nextafter(farthest, std::numeric_limits<float>::infinity());
-    return (static_cast<double>(next) - static_cast<double>(farthest)) / 2;
+/// Why the error of a file exceeds the allowance, if it does so for another reason than the decimation.
+Diagnostics warningsOf(SolidForExport& solid, CoordinateType type, const DecimationParameters& promised,
+                       const WorkContext& context) {
+    const double allowance = promised.allowance;
+    const double error = solid.largestErrorMm(type);
+    if (allowance <= 0 || error <= allowance)
+        return {};
+    if (isBounded(promised) && solid.isSetApartBeyond(allowance, context))
+        return {setApart(error, allowance)};
+    if (type == CoordinateType::float64)
+        return {};
+    const double exact = solid.largestErrorMm(CoordinateType::float64, context);
+    if (exact > allowance)
+        return {};
+    return {roundedBeyond(error, allowance, exact)};
 }
 
 } // namespace
 
-DecimationParameters allowForRounding(DecimationParameters parameters, CoordinateType type,
-                                      const StockBox& stock) {
-    if (type == CoordinateType::float64 || !isBounded(parameters))
-        return parameters;
-    const Vec3& corner = stock.corner; // min X, min Y, top Z
-    const double rounding = roundingBetween(corner.x, corner.x + stock.width) +
-                            roundingBetween(corner.y, corner.y + stock.depth) +
-                            roundingBetween(corner.z - stock.height, corner.z);
-    parameters.allowance = std::max(parameters.allowance - rounding, parameters.allowance / 2);
-    return parameters;
+SolidForExport::SolidForExport(const ZMapSnapshot& zmap, TriangleMesh mesh, ErrorLevel level)
+    : m_zmap(&zmap), m_mesh(std::move(mesh)), m_level(level) {}
+
+double SolidForExport::largestErrorMm(CoordinateType type, const WorkContext& context) {
+    std::optional<double>& known = m_errors.at(static_cast<std::size_t>(type));
+    if (known)
+        return *known;
+    const double error = measureSolidError(*m_zmap, m_mesh, type, m_level, context);
+    if (!context.stopped())
+        known = error;
+    return error;
+}
+
+bool SolidForExport::isSetApartBeyond(double allowance, const WorkContext& context) {
+    return hasVerticesSetApart(*m_zmap, m_mesh) &&
+           largestErrorMm(CoordinateType::float64, context) > allowance;
 }
 
 Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
-                                  const TriangleMesh& solid, const ZMapSnapshot& zmap, double allowance,
-                                  ErrorLevel level, const WorkContext& context) {
+                                  SolidForExport& solid, const DecimationParameters& promised,
+                                  const WorkContext& context) {
     ExportedSolid exported;
-    exported.largestErrorMm =
-        measureSolidError(zmap, solid, format.coordinates, level, context.part(0, kMeasured));
-    const bool rounded = format.coordinates != CoordinateType::float64;
-    if (rounded && allowance > 0 && exported.largestErrorMm > allowance) {
-        const double exact = measureSolidError(zmap, solid, CoordinateType::float64, level,
-                                               context.part(kMeasured, kMeasured));
-        if (exact <= allowance)
-            exported.warnings.push_back(roundedBeyond(file, exported.largestErrorMm, allowance, exact));
-    }
-    auto written = format.write(file, solid, context.part(kMeasured, 1));
+    exported.largestErrorMm = solid.largestErrorMm(format.coordinates, context.part(0, kMeasured));
+    if (!context.stopped())
+        exported.warnings = warningsOf(solid, format.coordinates, promised, context.quiet());
+    for (Diagnostic& warning : exported.warnings)
+        warning.file = file.string();
+    auto written = format.write(file, solid.mesh(), context.part(kMeasured, 1));
     if (!written)
         return tl::unexpected(std::move(written.error()));
     exported.file = *written;

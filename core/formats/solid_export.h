@@ -1,15 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
 #include "core/decimation/regions/parameters.h"
+#include "core/decimation/solid/solid.h"
 #include "core/formats/formats.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
+
+/// A solid for mesh files, and how far it is from its z-map in the coordinates of a file, which is measured
+/// once for each type of coordinates, when it is first needed. Refers to the z-map. One thread at a time.
+class SolidForExport {
+public:
+    /// `mesh`: of closeSolid(zmap, …). `level`: where it is measured.
+    SolidForExport(const ZMapSnapshot& zmap, TriangleMesh mesh, ErrorLevel level);
+
+    [[nodiscard]] const TriangleMesh& mesh() const { return m_mesh; }
+    /// measureSolidError(), mm. A stopped context returns early, with a part of the result.
+    [[nodiscard]] double largestErrorMm(CoordinateType type, const WorkContext& context = {});
+    /// Whether in double precision too the error exceeds an allowance, mm, that bounds that of the surface:
+    /// then because parts of the solid that touch were set apart.
+    [[nodiscard]] bool isSetApartBeyond(double allowance, const WorkContext& context = {});
+
+private:
+    const ZMapSnapshot* m_zmap;
+    TriangleMesh m_mesh;
+    ErrorLevel m_level;
+    std::array<std::optional<double>, 2> m_errors; ///< by CoordinateType
+};
 
 /// A solid that was written, and how far the contents of the file deviate from the z-map.
 struct ExportedSolid {
@@ -18,18 +42,12 @@ struct ExportedSolid {
     Diagnostics warnings;
 };
 
-/// The parameters for a surface that is within the allowance in a file with such coordinates: a bounded
-/// method gets the allowance less what rounding adds on slopes of up to 45°, but at least half of it.
-[[nodiscard]] DecimationParameters allowForRounding(DecimationParameters parameters, CoordinateType type,
-                                                    const StockBox& stock);
-
-/// Writes a solid of closeSolid(zmap, …) and measures the contents of the file at the given level. A warning
-/// (id "export-rounded-beyond") reports when the error exceeds the allowance (mm; 0: none was given) because
-/// of the rounding of coordinates rather than the decimation. Any thread. Errors: those of the writer,
-/// cancelled.
+/// Writes a solid and measures the contents of the file. Warnings report that its error exceeds the allowance
+/// of `promised` (0: there is none) because of the rounding of coordinates (id "export-rounded-beyond"), or,
+/// if the method is bounded, because of parts that were set apart (id "export-set-apart"). Any thread.
+/// Errors: those of the writer, cancelled.
 [[nodiscard]] Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
-                                                const TriangleMesh& solid, const ZMapSnapshot& zmap,
-                                                double allowance, ErrorLevel level,
+                                                SolidForExport& solid, const DecimationParameters& promised,
                                                 const WorkContext& context = {});
 
 } // namespace proveout

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mesh files of the two commands that write them.
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <map>
 
 #include "core/formats/formats.h"
 #include "tests/app/command_line.h"
+#include "tests/core/formats/steep_maps.h"
 
 namespace proveout {
 namespace {
@@ -113,21 +116,69 @@ TEST_F(CliExport, OutputsMustDiffer) {
                     .reports("p.nc: error: ", "borders-not-exported"));
 }
 
-TEST_F(CliExport, RoundingBeyondTheAllowanceIsReported) {
+TEST_F(CliExport, RoundingBeyondHalfOfTheAllowanceIsRefusedBeforeTheRun) {
     const auto done = simulateFarOut("--json --export a.stl --export a.obj");
+    EXPECT_EQ(done.exitCode, 3);
+    EXPECT_TRUE(done.reports("a.stl: error: Single precision rounds positions in this stock by up to 0.06",
+                             "export-rounding-too-large"))
+        << done.err;
+    EXPECT_EQ(done.json()["findings"][0]["id"], "export-rounding-too-large");
+    EXPECT_THAT(done.json()["findings"][0]["hint"].get<std::string>(), HasSubstr(".obj .ply .3mf"));
+    EXPECT_FALSE(done.json().contains("removedMm3"));
+    EXPECT_FALSE(exists("a.stl"));
+    const auto exact = simulateFarOut("--json --export a.obj");
+    EXPECT_EQ(exact.exitCode, 0);
+    EXPECT_LE(exact.json()["largestErrorMm"], 0.05);
+    EXPECT_EQ(exact.err, "");
+    ASSERT_EQ(simulateFarOut("--zmap a.npy").exitCode, 0);
+    const auto decimated = run("decimate a.npy --grid 0.5 --origin 2000000.05,0 --stl b.stl --json");
+    EXPECT_EQ(decimated.exitCode, 3);
+    EXPECT_TRUE(decimated.reports("b.stl: error: Single precision", "export-rounding-too-large"));
+    EXPECT_FALSE(exists("b.stl"));
+}
+
+/// Every point of the grid is kept, so nothing could be made for less.
+TEST_F(CliExport, TheRoundingOfAFullMeshIsAWarning) {
+    const auto done = simulateFarOut("--json --mesh full --export a.stl --export a.obj");
     ASSERT_EQ(done.exitCode, 0) << done.err;
     EXPECT_TRUE(done.reports("a.stl: warning: Rounded to single precision", "export-rounded-beyond"))
         << done.err;
     EXPECT_FALSE(done.reports("a.obj: warning: ", "export-rounded-beyond"));
-    const auto json = done.json();
-    EXPECT_EQ(json["findings"][0]["id"], "export-rounded-beyond");
-    const auto rows = json["exports"];
+    const auto rows = done.json()["exports"];
     EXPECT_GT(rows[0]["largestErrorMm"], 0.05);
-    EXPECT_LE(rows[1]["largestErrorMm"], 0.05);
-    EXPECT_EQ(json["largestErrorMm"], rows[0]["largestErrorMm"]) << "of all that was put out";
-    const auto exact = simulateFarOut("--json --export a.obj");
-    EXPECT_LE(exact.json()["largestErrorMm"], 0.05);
-    EXPECT_EQ(exact.err, "");
+    EXPECT_EQ(rows[1]["largestErrorMm"], 0);
+    EXPECT_EQ(done.json()["largestErrorMm"], rows[0]["largestErrorMm"]) << "of all that was put out";
+}
+
+/// Half a step of float32 is 1.2e-4 mm there, and the walls of the slots are steep.
+TEST_F(CliExport, ASteepPartFarFromTheOriginKeepsTheAllowance) {
+    write("steep.nc", "T1 M6\nG0 X3005 Y5 Z5\nG1 Z-6 F100\nX3025 Y12 Z-3\nX3012 Y20 Z-5\nG0 Z5\nM30\n");
+    const std::string simulate = "simulate steep.nc --stock 30x25x10 --grid 0.1 "
+                                 "--stock-origin 3000.05,0,0 --tool 1=ball:d=6,l=30 --json ";
+    const auto done = run(simulate + "--export a.stl --export a.ply --zmap a.npy");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_EQ(done.err, "");
+    const auto json = done.json();
+    EXPECT_LE(json["exports"][0]["largestErrorMm"], 0.05);
+    EXPECT_GT(json["exports"][0]["largestErrorMm"], 0.045);
+    EXPECT_EQ(json["exports"][0]["triangles"], json["exports"][1]["triangles"]) << "one mesh for all files";
+    EXPECT_LE(json["largestErrorMm"], 0.05);
+    const auto npy = readNpy(folder / "a.npy");
+    const ZMapSnapshot zmap = test::mapAt({3000.05, 0, 0}, 30, 25, 0.1, [&](int i, int j) {
+        return static_cast<double>(
+            npy->values[static_cast<std::size_t>(j) * npy->columns + static_cast<std::size_t>(i)]);
+    });
+    EXPECT_LE(test::distanceFrom(zmap, *readStl(folder / "a.stl")), 0.05 + 1e-9);
+    // The allowance less the rounding of the coordinates alone, which does not suffice for steep walls.
+    const double once = 0.05 - std::ldexp(1, -13) - std::ldexp(1, -20) - std::ldexp(1, -21);
+    const auto first = run(simulate + fmt::format("--allowance {:.12f} --export b.ply", once));
+    EXPECT_LT(first.json()["facesDecimated"], json["facesDecimated"]) << "made only once";
+
+    const auto decimated =
+        run("decimate a.npy --grid 0.1 --origin 3000.05,0 --floor -10 --export c.stl --json");
+    ASSERT_EQ(decimated.exitCode, 0) << decimated.err;
+    EXPECT_LE(decimated.json()["exports"][0]["largestErrorMm"], 0.05);
+    EXPECT_LE(test::distanceFrom(zmap, *readStl(folder / "c.stl")), 0.05 + 1e-9);
 }
 
 TEST_F(CliExport, DecimateWritesTheSameFiles) {

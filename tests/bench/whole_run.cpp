@@ -105,9 +105,9 @@ Kernels runKernels(const Case& one, const Workload& workload, const std::string&
         return seconds;
     const DecimationParameters parameters = forExport({});
     SurfaceSnapshot surface = decimatedWhole(zmap.snapshot(), parameters);
-    const TriangleMesh solid = closeSolid(zmap.snapshot(), surface.releaseTriangles());
-    (void)exportSolid(folder / "kernel.stl", *findFormat("stl")->meshWriter(), solid, zmap.snapshot(),
-                      parameters.allowance, errorLevel(parameters));
+    const ZMapSnapshot moment = zmap.snapshot();
+    SolidForExport solid(moment, closeSolid(moment, surface.releaseTriangles()), errorLevel(parameters));
+    (void)exportSolid(folder / "kernel.stl", *findFormat("stl")->meshWriter(), solid, parameters);
     seconds.solid = lap(watch);
     return seconds;
 }

@@ -16,6 +16,7 @@
 #include "core/decimation/surface/map_memory.h"
 #include "core/decimation/surface/refined_surface.h"
 #include "core/formats/export_findings.h"
+#include "core/formats/file_allowance.h"
 #include "core/formats/solid_export.h"
 #include "core/verification/findings/window_findings.h"
 #include "ui/document/file_paths.h"
@@ -25,8 +26,10 @@ namespace proveout {
 namespace {
 
 /// Progress at the end of each step; decimation takes most of the time.
-constexpr double kDecimated = 0.6;
-constexpr double kClosed = 0.7;
+constexpr double kDecimated = 0.76;
+constexpr double kClosed = 0.88;
+/// The same of a solid that is within the allowance, before it is written.
+constexpr double kMade = 0.88;
 
 DecimationParameters parametersOf(const Frame& frame, const ExportOptions& options) {
     DecimationParameters parameters = forExport(frame.parameters);
@@ -78,6 +81,24 @@ Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const 
     return ExportSummary{.file = file, .stock = true, .bytes = ignored ? 0 : bytes, .warnings = {}};
 }
 
+/// The solid for a file that keeps the allowance.
+Result<SolidForExport> makeSolid(const ZMapSnapshot& zmap, FileAllowance& allowance,
+                                 const WorkContext& context) {
+    for (;;) {
+        const WorkContext part = allowance.thisTry(context);
+        std::vector<LatticeTriangle> triangles =
+            decimatedWhole(zmap, allowance.parameters(), part.part(0, kDecimated)).releaseTriangles();
+        if (context.stopped())
+            return cancelled();
+        SolidForExport solid(zmap, closeSolid(zmap, std::move(triangles), part.part(kDecimated, kClosed)),
+                             errorLevel(allowance.promised()));
+        if (context.stopped())
+            return cancelled();
+        if (!allowance.reduce(solid, part.part(kClosed, 1)))
+            return solid;
+    }
+}
+
 Result<ExportSummary> write(const Frame& frame, const QString& file, const ExportOptions& options,
                             const WorkContext& context) {
     const Result<const FileFormat*> format =
@@ -85,27 +106,27 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (!format)
         return tl::unexpected(format.error());
     const FileState chosen = stateOf(toPath(file));
+    const CoordinateType coordinates = (*format)->meshWriter()->coordinates;
+    const DecimationParameters parameters = parametersOf(frame, options);
+    const StockBox& stock = frame.zmap.stock();
+    if (Result<void> fine = checkRounding(toPath(file), coordinates, parameters, stock); !fine)
+        return tl::unexpected(std::move(fine.error()));
     const std::uint64_t bytes =
         options.decimated ? 0 : fullMeshBytes(*(*format)->meshWriter(), frame.zmap.grid());
     if (Result<void> writable = checkTarget(file, bytes); !writable)
         return tl::unexpected(std::move(writable.error()));
-    const DecimationParameters parameters = parametersOf(frame, options);
-    const DecimationParameters rounded =
-        allowForRounding(parameters, (*format)->meshWriter()->coordinates, frame.zmap.stock());
-    std::vector<LatticeTriangle> triangles =
-        decimatedWhole(frame.zmap, rounded, context.part(0, kDecimated)).releaseTriangles();
-    if (context.stopped())
-        return cancelled();
-    const TriangleMesh solid =
-        closeSolid(frame.zmap, std::move(triangles), context.part(kDecimated, kClosed));
-    if (context.stopped())
-        return cancelled();
-    if (solid.triangles.empty())
+    FileAllowance allowance(parameters, coordinates, stock);
+    Result<SolidForExport> solid = makeSolid(frame.zmap, allowance, context.part(0, kMade));
+    if (!solid)
+        return tl::unexpected(std::move(solid.error()));
+    if (solid->mesh().triangles.empty())
         return failure(export_finding::kNothingLeft);
+    if (Result<void> fine = allowance.check(toPath(file), coordinates); !fine)
+        return tl::unexpected(std::move(fine.error()));
     if (Result<void> unchanged = checkUnchanged(file, chosen); !unchanged)
         return tl::unexpected(std::move(unchanged.error()));
-    auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,
-                                parameters.allowance, errorLevel(parameters), context.part(kClosed, 1));
+    auto exported =
+        exportSolid(toPath(file), *(*format)->meshWriter(), *solid, parameters, context.part(kMade, 1));
     if (!exported)
         return tl::unexpected(std::move(exported.error()));
     const bool decimates = parameters.method != DecimationMethod::none && parameters.allowance > 0;

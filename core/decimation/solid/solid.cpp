@@ -30,6 +30,7 @@
 #include "core/decimation/solid/solid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/decimation/solid/solid_above_floor.h"
@@ -49,6 +50,15 @@ TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> s
         return {};
     return touches ? closeOnFloor(frame, std::move(surface), context)
                    : closeAboveFloor(frame, std::move(surface), context);
+}
+
+bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid) {
+    const Grid& grid = zmap.grid();
+    return std::ranges::any_of(solid.vertices, [&grid](const Vec3& vertex) {
+        const int i = static_cast<int>(std::lround((vertex.x - grid.x0) / grid.hx));
+        const int j = static_cast<int>(std::lround((vertex.y - grid.y0) / grid.hy));
+        return vertex.x != grid.x(i) || vertex.y != grid.y(j);
+    });
 }
 
 } // namespace proveout

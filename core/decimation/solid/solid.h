@@ -33,4 +33,7 @@ inline constexpr double kPinchGap = 1e-4;
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                       const WorkContext& context = {});
 
+/// Whether closeSolid() has split and separated vertices of this solid.
+[[nodiscard]] bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid);
+
 } // namespace proveout

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "core/decimation/solid/solid_error.h"
-#include "core/decimation/surface/refined_surface.h"
 #include "core/decimation/surface/surface.h"
 #include "tests/core/decimation/random_triangulation.h"
+#include "tests/core/formats/steep_maps.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/random_seed.h"
 
@@ -20,23 +20,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr double kAllowance = 0.05;
-
-/// A wave on a stock whose upper corner at min X and min Y is at X = `far`; its slope is 1.2 × `height`,
-/// steep.
-ZMapSnapshot waveAt(double far, double height = 9) {
-    const StockBox stock{{far, -3.3, 1.7}, 30, 20, 25};
-    ZMap zmap(stock, makeGrid(stock, 0.25).value());
-    for (std::size_t t = 0; t < zmap.tileCount(); ++t) {
-        Tile& tile = zmap.tileForWriting(t);
-        const IndexRect rect = zmap.tileRect(t);
-        for (int j = rect.j0; j < rect.j1; ++j)
-            for (int i = rect.i0; i < rect.i1; ++i)
-                tile.at(i - rect.i0, j - rect.j0) =
-                    static_cast<float>(-10 + height * std::sin(0.3 * i) * std::cos(0.1 * j));
-        tile.refreshMaximum();
-    }
-    return zmap.snapshot();
-}
 
 TriangleMesh decimated(const ZMapSnapshot& zmap, double allowance = kAllowance) {
     DecimationParameters parameters;
@@ -52,8 +35,10 @@ protected:
                                    const TriangleMesh& solid, double allowance = kAllowance,
                                    const WorkContext& context = {}) {
         const auto file = m_folder / name;
-        return exportSolid(file, *meshFormatOf(file).value()->meshWriter(), solid, zmap, allowance,
-                           ErrorLevel::sample, context);
+        SolidForExport mesh(zmap, solid, ErrorLevel::sample);
+        DecimationParameters promised;
+        promised.allowance = allowance;
+        return exportSolid(file, *meshFormatOf(file).value()->meshWriter(), mesh, promised, context);
     }
 
     TemporaryFolder m_folder;
@@ -61,7 +46,7 @@ protected:
 
 TEST_F(SolidExport, TheErrorReportedIsThatOfTheFile) {
     for (const double far : {0.1, 700.3, 20'000.7}) {
-        const ZMapSnapshot zmap = waveAt(far);
+        const ZMapSnapshot zmap = test::waveAt(far);
         const TriangleMesh solid = decimated(zmap);
         const auto stl = exportTo("a.stl", zmap, solid);
         ASSERT_TRUE(stl) << oneLine(stl.error().front());
@@ -78,7 +63,7 @@ TEST_F(SolidExport, TheErrorReportedIsThatOfTheFile) {
 }
 
 TEST_F(SolidExport, NearTheOriginRoundingIsNothing) {
-    const ZMapSnapshot zmap = waveAt(0.1);
+    const ZMapSnapshot zmap = test::waveAt(0.1);
     const TriangleMesh solid = decimated(zmap);
     const auto stl = exportTo("a.stl", zmap, solid);
     EXPECT_LE(stl->largestErrorMm, kAllowance);
@@ -86,45 +71,9 @@ TEST_F(SolidExport, NearTheOriginRoundingIsNothing) {
     EXPECT_NEAR(stl->largestErrorMm, exportTo("a.obj", zmap, solid)->largestErrorMm, 1e-4);
 }
 
-TEST_F(SolidExport, TheAllowanceIsThatOfTheFile) {
-    const std::uint32_t seed = randomSeed();
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    std::mt19937 random(seed);
-    int beyond = 0;
-    for (int round = 0; round < roundsOf(20); ++round) {
-        const ZMapSnapshot zmap = waveAt(std::uniform_real_distribution<double>(5000, 60000)(random), 0.5);
-        DecimationParameters parameters;
-        parameters.allowance = kAllowance;
-        const auto error = [&](const DecimationParameters& of) {
-            const auto solid = closeSolid(zmap, decimatedWhole(zmap, forExport(of)).releaseTriangles());
-            return exportTo("a.stl", zmap, solid)->largestErrorMm;
-        };
-        beyond += error(parameters) > kAllowance ? 1 : 0;
-        EXPECT_LE(error(allowForRounding(parameters, CoordinateType::float32, zmap.stock())), kAllowance);
-    }
-    if (roundsOf(20) == 20) {
-        EXPECT_GT(beyond, 0) << "rounding exceeded nothing: the test proves nothing";
-    }
-}
-
-TEST_F(SolidExport, TheAllowanceForRoundingHasItsLimits) {
-    DecimationParameters parameters;
-    parameters.allowance = 0.05;
-    const StockBox near{{0, 0, 0}, 100, 100, 20};
-    const StockBox far{{1e6, 0, 0}, 100, 100, 20};
-    EXPECT_EQ(allowForRounding(parameters, CoordinateType::float64, far), parameters);
-    // Half the steps of float32: 2^-18 below 128 mm for X and Y, 2^-20 below 32 mm for Z.
-    EXPECT_NEAR(allowForRounding(parameters, CoordinateType::float32, near).allowance,
-                0.05 - std::ldexp(1, -18) - std::ldexp(1, -18) - std::ldexp(1, -20), 1e-15);
-    EXPECT_EQ(allowForRounding(parameters, CoordinateType::float32, far).allowance, 0.025);
-    parameters.method = DecimationMethod::lee;
-    parameters.certify = false;
-    EXPECT_EQ(allowForRounding(parameters, CoordinateType::float32, near), parameters) << "it has no bound";
-}
-
 /// The step of float32 is 1/128 mm there, and the wave is ten times as steep.
 TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
-    const ZMapSnapshot zmap = waveAt(80'000.3);
+    const ZMapSnapshot zmap = test::waveAt(80'000.3);
     const TriangleMesh solid = decimated(zmap);
     const auto stl = exportTo("a.stl", zmap, solid);
     ASSERT_TRUE(stl) << oneLine(stl.error().front());
@@ -147,7 +96,7 @@ TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
 
 /// "0.05 mm, beyond 0.05 mm" would be useless.
 TEST_F(SolidExport, TheFiguresOfTheWarningDiffer) {
-    const ZMapSnapshot zmap = waveAt(700.3);
+    const ZMapSnapshot zmap = test::waveAt(700.3);
     const TriangleMesh solid = decimated(zmap);
     const double exact = exportTo("a.ply", zmap, solid)->largestErrorMm;
     const double rounded = exportTo("a.stl", zmap, solid)->largestErrorMm;
@@ -160,7 +109,7 @@ TEST_F(SolidExport, TheFiguresOfTheWarningDiffer) {
 }
 
 TEST_F(SolidExport, WhereRoundingIsNotToBlameThereIsNoWarning) {
-    const ZMapSnapshot zmap = waveAt(80'000.3);
+    const ZMapSnapshot zmap = test::waveAt(80'000.3);
     const TriangleMesh coarse = decimated(zmap, 0.5);
     EXPECT_GT(exportTo("a.ply", zmap, coarse)->largestErrorMm, kAllowance);
     EXPECT_TRUE(exportTo("a.stl", zmap, coarse)->warnings.empty());
@@ -202,7 +151,7 @@ TEST_F(SolidExport, StlTakesEverySolidOfUsualSize) {
 }
 
 TEST_F(SolidExport, ProgressRisesToOneAndAWishToStopLeavesNoFile) {
-    const ZMapSnapshot zmap = waveAt(80'000.3);
+    const ZMapSnapshot zmap = test::waveAt(80'000.3);
     const TriangleMesh solid = decimated(zmap, 0.001);
     for (const double stopAt : {2.0, 0.0, 0.25, 0.5}) {
         std::stop_source stop;

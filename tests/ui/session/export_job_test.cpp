@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <vector>
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -8,6 +11,7 @@
 #include "core/decimation/surface/map_memory.h"
 #include "core/zmap/zmap.h"
 #include "tests/core/file_size_limit.h"
+#include "tests/core/formats/steep_maps.h"
 #include "ui/document/file_paths.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/program/export_job.h"
@@ -100,6 +104,54 @@ private slots:
         QVERIFY(!result);
         QCOMPARE(result.error().front().id, "file-changed-on-disk");
         QCOMPARE(readFile(toPath(file)).value(), std::string("theirs"));
+    }
+
+    /// The mesh is made more than once: steep walls, and steps of float32 of 6e-5 mm.
+    void anStlKeepsTheAllowanceWithProgressThatRises() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.stl"));
+        Frame frame;
+        frame.zmap = test::waveAt(700.3);
+        std::vector<double> reported;
+        const auto done =
+            exportFrame(frame, file, {}, {{}, [&](double share) { reported.push_back(share); }});
+        QVERIFY(done);
+        QVERIFY(done->warnings.empty());
+        QVERIFY2(done->largestErrorMm <= 0.05, qPrintable(QString::number(done->largestErrorMm)));
+        QVERIFY(test::distanceFrom(frame.zmap, *readStl(toPath(file))) <= 0.05 + 1e-9);
+        QVERIFY(std::ranges::is_sorted(reported));
+        QCOMPARE(reported.back(), 1.0);
+        // The first try ends at nine tenths of the part of making.
+        constexpr double kSecondTry = 0.9 * 0.88;
+        QVERIFY2(
+            std::ranges::any_of(reported, [](double share) { return share > kSecondTry && share < 0.88; }),
+            "made only once");
+        QVERIFY(QFile::remove(file));
+        std::stop_source stop;
+        const auto cancelled = exportFrame(frame, file, {}, {stop.get_token(), [&](double share) {
+                                                                 if (share > kSecondTry)
+                                                                     stop.request_stop();
+                                                             }});
+        QVERIFY(!cancelled);
+        QCOMPARE(cancelled.error().front().id, "cancelled");
+        QVERIFY(!QFile::exists(file));
+    }
+
+    void anStlThatCannotKeepTheAllowanceIsRefused() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.stl"));
+        for (const double far : {80'000.3, 2e6}) { // too far for these walls, and for any
+            Frame frame;
+            frame.zmap = test::waveAt(far);
+            int progress = 0;
+            const auto refused = exportFrame(frame, file, {}, {{}, [&](double) { ++progress; }});
+            QVERIFY(!refused);
+            QCOMPARE(refused.error().front().id, "export-rounding-too-large");
+            QVERIFY(sentence(refused.error().front()).startsWith(QLatin1String("part.stl: ")));
+            QCOMPARE(progress > 0, far < 1e6);
+            QVERIFY(!QFile::exists(file));
+            QVERIFY(exportFrame(frame, folder.filePath(QStringLiteral("part.3mf")), {}, {}));
+        }
     }
 
     void whatFailsNamesTheFile() {
