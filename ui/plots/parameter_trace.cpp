@@ -2,6 +2,8 @@
 #include "ui/plots/parameter_trace.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace proveout {
 
@@ -19,16 +21,34 @@ void ParameterTrace::update(const DecimationParameters& parameters, std::size_t 
     if (rows == 0)
         m_seen.clear();
     const std::uint32_t present = numberOf(parameters);
-    m_used.resize(rows, present);
-    for (std::size_t row = first; row < std::min(executed, rows); ++row)
-        m_used[row] = present;
+    resize(rows, present);
+    assign(first, std::min(executed, rows), present);
+}
+
+void ParameterTrace::resize(std::size_t rows, std::uint32_t added) {
+    m_runs.erase(m_runs.lower_bound(rows), m_runs.end());
+    const std::size_t before = std::exchange(m_rows, rows);
+    assign(before, rows, added);
+}
+
+void ParameterTrace::assign(std::size_t first, std::size_t end, std::uint32_t used) {
+    if (first >= end)
+        return;
+    const auto after = m_runs.upper_bound(end);
+    if (end < m_rows && after != m_runs.begin())
+        m_runs.emplace(end, std::prev(after)->second); // unless a run begins there
+    auto next = m_runs.erase(m_runs.lower_bound(first), m_runs.lower_bound(end));
+    if (next != m_runs.end() && next->second == used)
+        next = m_runs.erase(next);
+    if (next == m_runs.begin() || std::prev(next)->second != used)
+        m_runs.emplace(first, used);
 }
 
 std::vector<std::size_t> ParameterTrace::changes() const {
     std::vector<std::size_t> blocks;
-    for (std::size_t row = 1; row < m_used.size(); ++row)
-        if (m_used[row] != m_used[row - 1])
-            blocks.push_back(row);
+    for (auto run = m_runs.begin(); run != m_runs.end(); ++run)
+        if (run != m_runs.begin() && std::prev(run)->second != run->second)
+            blocks.push_back(run->first);
     return blocks;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "core/decimation/regions/parameters.h"
@@ -21,10 +22,15 @@ public:
 
 private:
     std::uint32_t numberOf(const DecimationParameters& parameters);
+    void resize(std::size_t rows, std::uint32_t added);
+    void assign(std::size_t first, std::size_t end, std::uint32_t used);
 
     std::vector<DecimationParameters> m_seen; ///< without duplicates, so that a change that was undone is not
                                               ///< marked
-    std::vector<std::uint32_t> m_used;        ///< index into m_seen, one per block
+    /// Index into m_seen, by the first block of each run of blocks that use the same; few at any number of
+    /// blocks.
+    std::map<std::size_t, std::uint32_t> m_runs;
+    std::size_t m_rows = 0;
 };
 
 } // namespace proveout

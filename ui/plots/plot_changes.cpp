@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/array_difference.h"
 #include "ui/program/frame_log.h"
 
 namespace proveout {
@@ -19,8 +20,7 @@ bool same(const Row& a, const Row& b) {
     return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-template<class Rows>
-std::size_t firstDifference(const Rows& a, const Rows& b) {
+std::size_t firstDifference(const std::vector<FrameStatistics>& a, const std::vector<FrameStatistics>& b) {
     const std::size_t common = std::min(a.size(), b.size());
     std::size_t row = 0;
     while (row < common && same(a[row], b[row]))
@@ -33,18 +33,19 @@ std::size_t firstDifference(const Rows& a, const Rows& b) {
 PlotHistory::Changes PlotHistory::update(const PersistentArray<BlockStatistics>& blocks,
                                          const std::vector<FrameStatistics>& frames, bool playing) {
     Changes changes;
-    changes.firstBlock = firstDifference(blocks, m_blocks);
-    changes.any = changes.firstBlock < std::max(blocks.size(), m_blocks.size());
+    const auto different = difference(blocks, m_blocks, same<BlockStatistics>);
+    changes.blocks = {different.first, different.end};
+    changes.any = m_forgotten || !changes.blocks.empty();
     m_blocks = blocks;
 
-    changes.any = changes.any || m_forgotten;
+    if (m_forgotten)
+        changes.pictured = {0, blocks.size()};
     changes.firstFrame = std::exchange(m_forgotten, false) ? 0 : m_frames.size();
     const std::size_t known = firstDifference(frames, m_session);
     m_session.resize(known);
     m_session.insert(m_session.end(), frames.begin() + static_cast<std::ptrdiff_t>(known), frames.end());
     for (std::size_t row = known; row < frames.size(); ++row)
         add(frames[row], playing, changes);
-    changes.firstPictured = changes.firstFrame == 0 ? 0 : m_frames[changes.firstFrame - 1].lastBlock;
     return changes;
 }
 
@@ -56,6 +57,9 @@ void PlotHistory::add(const FrameStatistics& row, bool playing, Changes& changes
     auto to = from;
     while (to != m_frames.end() && to->firstBlock < row.lastBlock)
         ++to;
+    changes.pictured.include({row.firstBlock, row.lastBlock});
+    if (from != to)
+        changes.pictured.include({from->firstBlock, (to - 1)->lastBlock});
     std::vector<FrameStatistics> instead;
     if (from != to && from->firstBlock < row.firstBlock)
         instead.push_back(partOf(*from, from->firstBlock, row.firstBlock));

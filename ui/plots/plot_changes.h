@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/simulation/run/frame.h"
+#include "ui/plots/row_range.h"
 
 namespace proveout {
 
@@ -12,12 +13,12 @@ namespace proveout {
 /// a run after a seek back replaces some, and loading a program replaces all of them.
 class PlotHistory {
 public:
-    /// The first rows that differ from the previous update (or the number of rows, if rows were only removed
-    /// or nothing has changed).
+    /// What differs from the previous update. The first of the rows is the number of rows if rows were only
+    /// removed or nothing has changed.
     struct Changes {
-        std::size_t firstBlock = 0;
+        RowRange blocks;
         std::size_t firstFrame = 0;
-        std::size_t firstPictured = 0; ///< the first block with a different frame
+        RowRange pictured; ///< the blocks with a different frame
         bool any = false;
     };
     /// Adopts the current rows. Frames that the session has dropped after a seek back stay until their blocks

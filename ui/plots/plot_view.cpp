@@ -12,7 +12,6 @@
 #include <QToolTip>
 
 #include "ui/look/theme.h"
-#include "ui/plots/filled_curve.h"
 
 namespace proveout {
 namespace {
@@ -84,7 +83,8 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
 
 void PlotView::addCurves() {
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
-        auto* curve = new FilledCurve(xAxis, yAxis); // owned by the plot
+        auto* curve = new RowCurve(xAxis, yAxis); // owned by the plot
+        m_curves.push_back(curve);
         curve->setAdaptiveSampling(true);
         if (m_spec.stacked && index > 0)
             curve->setChannelFillGraph(graph(static_cast<int>(index) - 1));
@@ -153,37 +153,24 @@ void PlotView::styleMark() {
     m_mark->setPen(QPen(meaningColors(palette()).accent, hasFocus() ? 3 : 1.5));
 }
 
-void PlotView::setRows(const PlotInput& input, std::size_t first) {
-    const std::size_t count = input.blocks.size();
-    // With more rows than pixels a curve is a band: antialiasing it is invisible and doubles the cost.
-    setNotAntialiasedElement(QCP::aePlottables, count > kMostSmoothRows);
-    const auto added = static_cast<int>(count - std::min(first, count));
-    std::vector<double> below(static_cast<std::size_t>(added), 0.0);
-    for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
-        QVector<QCPGraphData> points;
-        points.reserve(added);
-        for (std::size_t row = first; row < count; ++row) {
-            double y = m_spec.y(input, row, index);
-            if (m_spec.stacked)
-                y = below[row - first] += y;
-            points.append({static_cast<double>(row + 1), y});
+void PlotView::setRows(const PlotInput& input, RowRange changed) {
+    changed.limit(input.blocks.size());
+    std::vector<double> values(changed.size(), 0.0);
+    for (std::size_t index = 0; index < m_curves.size(); ++index) {
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const double y = m_spec.y(input, changed.first + k, index);
+            values[k] = m_spec.stacked ? values[k] + y : y;
         }
-        const auto shown = graph(static_cast<int>(index))->data();
-        if (first == 0)
-            shown->clear();
-        else if (first < rows(index))
-            shown->removeAfter(pointOf(index, first - 1)->key);
-        shown->add(points, true);
+        m_curves[index]->keepRows(input.blocks.size());
+        m_curves[index]->setValues(changed.first, values);
     }
+    // With more rows than pixels a curve is a band: antialiasing it is invisible and doubles the cost.
+    setNotAntialiasedElement(QCP::aePlottables, rows() > kMostSmoothRows);
     if (m_spec.picture == nullptr)
         return;
-    m_pictures.resize(count);
-    for (std::size_t row = first; row < count; ++row)
+    m_pictures.resize(rows());
+    for (std::size_t row = changed.first; row < changed.end; ++row)
         m_pictures[row] = m_spec.picture(input, row);
-}
-
-std::size_t PlotView::rows(std::size_t series) const {
-    return static_cast<std::size_t>(graph(static_cast<int>(series))->dataCount());
 }
 
 QCPGraphDataContainer::const_iterator PlotView::pointOf(std::size_t series, std::size_t row) const {
@@ -291,13 +278,12 @@ void PlotView::setLogarithmic(bool on) {
 
 std::optional<QCPRange> PlotView::valuesInSight() const {
     std::optional<QCPRange> values;
-    for (int index = 0; index < graphCount(); ++index) {
-        bool found = false;
-        const QCPRange range = graph(index)->getValueRange(found, QCP::sdPositive, xAxis->range());
-        if (found)
-            values =
-                values ? QCPRange(std::min(values->lower, range.lower), std::max(values->upper, range.upper))
-                       : range;
+    for (const RowCurve* curve : m_curves) {
+        const auto range = curve->valuesAbove0(xAxis->range());
+        if (range && values)
+            values->expand(*range);
+        else if (range)
+            values = range;
     }
     return values;
 }

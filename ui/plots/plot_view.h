@@ -10,6 +10,8 @@
 #include "ui/plots/plot_header.h"
 #include "ui/plots/plot_hint.h"
 #include "ui/plots/plot_ticks.h"
+#include "ui/plots/row_curve.h"
+#include "ui/plots/row_range.h"
 
 class QScrollBar;
 
@@ -23,8 +25,11 @@ public:
     explicit PlotView(const PlotSpec& spec, QWidget* parent = nullptr);
 
     [[nodiscard]] const PlotSpec& spec() const { return m_spec; }
-    /// Removes the rows from `first` on and replaces them with those of `input`.
-    void setRows(const PlotInput& input, std::size_t first);
+    /// Takes the rows `changed` of `input`, of which the first is at most rows(), and drops those that are no
+    /// longer in `input`.
+    void setRows(const PlotInput& input, RowRange changed);
+    /// Takes all rows of `input` from `first` on.
+    void setRows(const PlotInput& input, std::size_t first) { setRows(input, {first, input.blocks.size()}); }
     /// Sets the blocks at which setBlock() will draw a dashed line.
     void setParameterChanges(const std::vector<std::size_t>& blocks);
     /// Marks the current block, scrolls the axes if they follow, and repaints.
@@ -40,7 +45,7 @@ public:
     [[nodiscard]] QString valuesAt(double pixelX) const;
     /// The value of one curve in a row, as drawn (stacked plots: without the curves below).
     [[nodiscard]] double value(std::size_t series, std::size_t row) const;
-    [[nodiscard]] std::size_t rows() const { return rows(0); }
+    [[nodiscard]] std::size_t rows() const { return m_curves.front()->rows(); }
     /// In a scroll area the wheel moves its bar, and zooms only with Ctrl pressed; null outside of one. (The
     /// base class does not pass mouse events to its parents.)
     void setScrollBar(QScrollBar* bar) { m_scrollBar = bar; }
@@ -72,7 +77,6 @@ private:
     void fitAxes();
     void fitValues();
     void fitTicks();
-    [[nodiscard]] std::size_t rows(std::size_t series) const;
     [[nodiscard]] QCPGraphDataContainer::const_iterator pointOf(std::size_t series, std::size_t row) const;
     /// The range of the visible values above 0; empty if there are none.
     [[nodiscard]] std::optional<QCPRange> valuesInSight() const;
@@ -85,6 +89,7 @@ private:
 
     const PlotSpec& m_spec;
     PlotHeader m_header;
+    std::vector<RowCurve*> m_curves; ///< one per series; owned by the plot
     QSharedPointer<PlotTicks> m_blockTicks;
     QSharedPointer<PlotTicks> m_valueTicks;
     std::vector<PictureBlocks> m_pictures; ///< one per row, if the plot uses them

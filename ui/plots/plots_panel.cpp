@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t kShownAtFirst = 2; ///< the two figures of the paper
 constexpr double kPngScale = 2;
+constexpr std::size_t kValuesAtOnce = std::size_t{1} << 18; ///< some 10 ms
 
 struct ExportRow {
     PlotFormat format;
@@ -64,6 +65,8 @@ PlotsPanel::PlotsPanel(Session& session, QWidget* parent)
         }
     });
     setTexts();
+    m_fill.setSingleShot(true);
+    connect(&m_fill, &QTimer::timeout, this, &PlotsPanel::fill);
     connect(&session.playback(), &PlaybackHub::tick, this, &PlotsPanel::refresh);
 }
 
@@ -78,6 +81,7 @@ void PlotsPanel::addView(const PlotSpec& spec, bool shown) {
     m_grid->add(view);
     m_grid->setShown(*view, shown);
     m_views.push_back(view);
+    m_stale.emplace_back();
 
     QAction* action = m_bar->addAction(QString());
     action->setCheckable(true);
@@ -85,6 +89,7 @@ void PlotsPanel::addView(const PlotSpec& spec, bool shown) {
     action->setObjectName(QStringLiteral("plot-") + QLatin1String(spec.id));
     connect(action, &QAction::toggled, view, [this, view](bool on) {
         m_grid->setShown(*view, on);
+        fill();
         view->setBlock(m_block, m_blockCount);
     });
     m_shown.push_back(action);
@@ -133,30 +138,67 @@ void PlotsPanel::refresh() {
     const bool retimed = useTimes(frame.get());
     const bool moved =
         m_block != m_session.simulation().block() || m_blockCount != m_session.program().blockCount();
-    if (!changes.any && !moved && !retimed)
+    const bool filled = std::exchange(m_filled, false);
+    if (!changes.any && !moved && !retimed && !filled)
         return;
     m_block = m_session.simulation().block();
     m_blockCount = m_session.program().blockCount();
     m_program = frame ? frame->program : nullptr;
-    const PlotInput shown = input();
-    m_trace.update(frame ? frame->parameters : m_session.job().parameters(), changes.firstBlock, m_block,
-                   m_history.blocks().size());
-    noteGaps(changes.firstBlock);
+    const std::size_t rows = m_history.blocks().size();
+    m_trace.update(frame ? frame->parameters : m_session.job().parameters(), changes.blocks.first, m_block,
+                   rows);
+    noteGaps(changes.blocks);
     const std::vector<std::size_t> parameterChanges = m_trace.changes();
-    for (PlotView* view : m_views) {
-        view->setParameterChanges(parameterChanges);
-        const bool pictured = view->spec().picture != nullptr;
-        const std::size_t changed =
-            pictured ? std::min(changes.firstBlock, changes.firstPictured) : changes.firstBlock;
-        view->setRows(shown, retimed && view->spec().timed ? 0 : changed);
+    for (std::size_t index = 0; index < m_views.size(); ++index) {
+        const PlotSpec& spec = m_views[index]->spec();
+        m_views[index]->setParameterChanges(parameterChanges);
+        RowRange& stale = m_stale[index];
+        stale.include(changes.blocks);
+        if (spec.picture != nullptr)
+            stale.include(changes.pictured);
+        if (retimed && spec.timed)
+            stale.include({0, rows});
+        stale.limit(rows);
+    }
+    fill();
+    for (PlotView* view : m_views)
         if (view->isVisible())
             view->setBlock(m_block, m_blockCount);
-    }
 }
 
-void PlotsPanel::noteGaps(std::size_t changed) {
+void PlotsPanel::fill() {
+    const PlotInput shown = input();
+    std::size_t left = kValuesAtOnce;
+    bool more = false;
+    for (std::size_t index = 0; index < m_views.size(); ++index) {
+        PlotView& view = *m_views[index];
+        if (!view.isVisible())
+            continue;
+        const std::size_t curves = view.spec().series.size();
+        const RowRange now = m_stale[index].takeFront(left / curves);
+        view.setRows(shown, now);
+        left -= now.size() * curves;
+        more = more || !m_stale[index].empty();
+    }
+    if (more)
+        return m_fill.start();
+    if (sender() != &m_fill)
+        return; // the caller repaints
+    m_filled = true;
+    m_session.playback().requestTick();
+}
+
+void PlotsPanel::fillAll(PlotView& view) {
+    const auto index = static_cast<std::size_t>(std::ranges::find(m_views, &view) - m_views.begin());
+    view.setRows(input(), std::exchange(m_stale[index], {}));
+}
+
+void PlotsPanel::noteGaps(const RowRange& changed) {
     const PersistentArray<BlockStatistics>& rows = m_history.blocks();
-    m_firstGap = std::min({m_firstGap, changed, rows.size()});
+    m_firstGap = std::min(m_firstGap, rows.size());
+    for (std::size_t row = changed.first; row < std::min(changed.end, m_firstGap); ++row)
+        if (!rows[row].isPlayed())
+            m_firstGap = row;
     while (m_firstGap < rows.size() && rows[m_firstGap].isPlayed())
         ++m_firstGap;
     for (PlotView* view : m_views)
@@ -168,6 +210,7 @@ QString PlotsPanel::csv(const PlotView& view) const {
 }
 
 bool PlotsPanel::exportTo(PlotView& view, const QString& file, PlotFormat format) {
+    fillAll(view);
     QByteArray bytes;
     switch (format) {
     case PlotFormat::csv:

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include <QAction>
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/plots/parameter_trace.h"
 #include "ui/plots/plot_changes.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/plots/plot_view.h"
+#include "ui/plots/row_range.h"
 #include "ui/session/session.h"
 
 class QToolBar;
@@ -45,8 +47,12 @@ protected:
 
 private:
     void refresh();
-    /// Finds out whether a block was not measured; the rows before `changed` are as they were.
-    void noteGaps(std::size_t changed);
+    /// Finds out whether a block was not measured; the other rows are as they were.
+    void noteGaps(const RowRange& changed);
+    /// Updates the rows of the shown plots, a limited number of them at once, and continues after other
+    /// events; then requests a tick.
+    void fill();
+    void fillAll(PlotView& view);
     [[nodiscard]] bool useTimes(const Frame* frame);
     [[nodiscard]] PlotInput input() const;
     void addView(const PlotSpec& spec, bool shown);
@@ -65,6 +71,10 @@ private:
     QAction* m_follow;
     std::vector<PlotView*> m_views;
     std::vector<QAction*> m_shown; ///< one per view
+    /// The rows of each view that are not up to date; those of a hidden one stay so until it is shown.
+    std::vector<RowRange> m_stale;
+    QTimer m_fill;         ///< active while there is more to fill
+    bool m_filled = false; ///< since the last tick
     std::size_t m_block = 0;
     std::size_t m_blockCount = 0;
 };

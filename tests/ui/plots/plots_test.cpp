@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <utility>
@@ -27,6 +29,8 @@
 #include "ui/plots/plot_grid.h"
 #include "ui/plots/plot_ticks.h"
 #include "ui/plots/plots_panel.h"
+#include "ui/plots/row_curve.h"
+#include "ui/plots/row_extremes.h"
 
 using namespace proveout;
 
@@ -98,6 +102,12 @@ private:
     mutable CountingEngine m_engine;
 };
 
+void showPlot(PlotsPanel& panel, const char* id) {
+    for (QAction* action : panel.actions())
+        if (action->objectName() == QStringLiteral("plot-") + QLatin1String(id))
+            action->setChecked(true);
+}
+
 std::size_t valuesAsked = 0;
 
 /// The plot of triangle counts, which counts each value that is requested.
@@ -135,6 +145,12 @@ private slots:
     void plotsWrapIntoRows();
     void restylesWithThePalette();
     void manyRowsCostLittle();
+    void rowsInTheMiddleAreReplacedAlone();
+    void extremesAreThoseOfAnyStretch();
+    void columnsReachTheirLowestAndHighestRow();
+    void aDrawingLooksAtPixelsAndNotAtRows();
+    void tracesOfManyUpdatesAreThoseOfEachRow();
+    void onlyShownPlotsAreFilled();
     void fillingsAreUnderTheirCurves();
     void jaggedFillingsCostLittle();
     void panelShowsARunAndExportsIt();
@@ -189,20 +205,20 @@ void PlotsTest::historyFindsTheFirstRowThatDiffers() {
     for (int k = 0; k < 700; ++k)
         blocks.push_back(randomBlock(random));
     auto changes = history.update(blocks, frames, true);
-    QVERIFY(changes.any && changes.firstBlock == 0);
+    QVERIFY(changes.any && changes.blocks.first == 0);
     blocks.push_back(randomBlock(random));
     frames.push_back(randomFrame(random, 701));
     changes = history.update(blocks, frames, true);
-    QVERIFY(changes.any && changes.firstBlock == 700 && changes.firstFrame == 0);
+    QVERIFY(changes.any && changes.blocks.first == 700 && changes.firstFrame == 0);
     QVERIFY(!history.update(blocks, frames, true).any);
     blocks.edit(300).cutSeconds += 1;
     changes = history.update(blocks, frames, true);
-    QVERIFY(changes.any && changes.firstBlock == 300 && changes.firstFrame == 1);
+    QVERIFY(changes.any && changes.blocks.first == 300 && changes.firstFrame == 1);
     blocks.truncate(10);
     frames.clear();
     history.forgetFrames();
     changes = history.update(blocks, frames, true);
-    QVERIFY(changes.any && changes.firstBlock == 10 && changes.firstFrame == 0);
+    QVERIFY(changes.any && changes.blocks.first == 10 && changes.firstFrame == 0);
 }
 
 void PlotsTest::historyKeepsFramesUntilTheirBlocksArePlayedAgain() {
@@ -280,8 +296,10 @@ void PlotsTest::viewsHoldWhatTheStatisticsSay() {
         }
         const auto changes = history.update(blocks, frames, true);
         const PlotInput input{history.blocks(), history.frames()};
-        faces.setRows(input, changes.firstBlock);
-        times.setRows(input, std::min(changes.firstBlock, changes.firstPictured));
+        faces.setRows(input, changes.blocks);
+        RowRange changed = changes.blocks;
+        changed.include(changes.pictured);
+        times.setRows(input, changed);
         compare(faces, {blocks, frames});
         compare(times, {blocks, measured});
     }
@@ -613,11 +631,11 @@ void PlotsTest::manyRowsCostLittle() {
     const PlotSpec spec = countingFaces();
     PlotView view(spec);
     view.resize(700, 300);
-    view.setRows({blocks, frames}, history.update(blocks, frames, true).firstBlock);
+    view.setRows({blocks, frames}, history.update(blocks, frames, true).blocks);
     valuesAsked = 0;
     for (int k = 0; k < 10; ++k)
         addBlock();
-    view.setRows({blocks, frames}, history.update(blocks, frames, true).firstBlock);
+    view.setRows({blocks, frames}, history.update(blocks, frames, true).blocks);
     QCOMPARE(valuesAsked, 10 * spec.series.size());
     view.setBlock(blocks.size(), blocks.size());
     // A curve needs the first, last, lowest and highest value of each pixel column.
@@ -629,6 +647,209 @@ void PlotsTest::manyRowsCostLittle() {
     QVERIFY(device.points() > view.width()); // ensures that points were counted
     QVERIFY2(device.points() < 4 * view.width() * view.graphCount(),
              qPrintable(QString::number(device.points())));
+}
+
+/// Played again, blocks get other times; the blocks after them stay.
+void PlotsTest::rowsInTheMiddleAreReplacedAlone() {
+    std::mt19937 random(3);
+    PersistentArray<BlockStatistics> blocks;
+    const std::vector<FrameStatistics> frames;
+    for (int k = 0; k < 100'000; ++k)
+        blocks.push_back(randomBlock(random));
+    PlotHistory history;
+    const PlotSpec spec = countingFaces();
+    PlotView view(spec);
+    view.setRows({blocks, frames}, history.update(blocks, frames, true).blocks);
+    valuesAsked = 0;
+    for (std::size_t k = 500; k < 510; ++k)
+        blocks.edit(k).facesShown = 7;
+    view.setRows({blocks, frames}, history.update(blocks, frames, true).blocks);
+    QCOMPARE(valuesAsked, 10 * spec.series.size());
+    compare(view, {blocks, frames});
+    // The scale of the values follows too.
+    view.setFollowing(false);
+    view.xAxis->setRange(501, 510);
+    view.setBlock(510, blocks.size());
+    QVERIFY(view.yAxis->range().lower < 7);
+}
+
+/// Values among which some are unknown and some not positive.
+double anyValue(std::mt19937& random) {
+    const auto number = static_cast<int>(random() % 1000) - 300;
+    return number % 10 == 0 ? std::numeric_limits<double>::quiet_NaN() : number;
+}
+
+Extremes extremesByLooking(const std::vector<QCPGraphData>& rows, std::size_t first, std::size_t end) {
+    Extremes found;
+    for (std::size_t row = first; row < std::min(end, rows.size()); ++row) {
+        const double value = rows[row].value;
+        if (std::isnan(value))
+            continue;
+        found.lowest = std::min(found.lowest, value);
+        found.highest = std::max(found.highest, value);
+        if (value > 0)
+            found.lowestAbove0 = std::min(found.lowestAbove0, value);
+    }
+    return found;
+}
+
+void PlotsTest::extremesAreThoseOfAnyStretch() {
+    std::mt19937 random(9);
+    RowExtremes extremes;
+    std::vector<QCPGraphData> rows;
+    for (int round = 0; round < 3000; ++round) {
+        const std::size_t first = random() % (rows.size() + 1);
+        if (random() % 5 == 0) {
+            rows.resize(first);
+            extremes.update(rows, first, first);
+        } else {
+            const std::size_t end = first + random() % (random() % 50 == 0 ? 6000 : 40);
+            rows.resize(std::max(rows.size(), end));
+            for (std::size_t row = first; row < end; ++row)
+                rows[row] = {static_cast<double>(row + 1), anyValue(random)};
+            extremes.update(rows, first, end);
+        }
+        const std::size_t from = random() % (rows.size() + 1);
+        const std::size_t to = from + random() % (rows.size() + 2);
+        const Extremes found = extremes.of(rows, from, to);
+        const Extremes expected = extremesByLooking(rows, from, to);
+        QCOMPARE(found.lowest, expected.lowest);
+        QCOMPARE(found.highest, expected.highest);
+        QCOMPARE(found.lowestAbove0, expected.lowestAbove0);
+    }
+}
+
+/// Shows the points that are drawn.
+class OpenCurve : public RowCurve {
+public:
+    using RowCurve::RowCurve;
+    [[nodiscard]] QVector<QCPGraphData> points(const QCPRange& keys) const {
+        QVector<QCPGraphData> points;
+        getOptimizedLineData(&points, data()->findBegin(keys.lower), data()->findEnd(keys.upper));
+        return points;
+    }
+};
+
+void PlotsTest::columnsReachTheirLowestAndHighestRow() {
+    std::mt19937 random(10);
+    constexpr std::size_t kRows = 50'000;
+    QCustomPlot plot;
+    plot.resize(500, 200);
+    auto* curve = new OpenCurve(plot.xAxis, plot.yAxis);
+    std::vector<double> values(kRows);
+    std::ranges::generate(values, [&] { return anyValue(random); });
+    std::fill(values.begin() + 20'000, values.begin() + 21'000, std::numeric_limits<double>::quiet_NaN());
+    curve->setValues(0, values);
+    plot.xAxis->setRange(3000, 44'000);
+    plot.replot();
+    const auto columnOf = [&](double key) {
+        return static_cast<int>(std::floor(plot.xAxis->coordToPixel(key)));
+    };
+    std::map<int, Extremes> expected;
+    for (std::size_t row = 2998; row <= 44'000; ++row)
+        expected[columnOf(static_cast<double>(row + 1))].add(values[row]);
+    std::map<int, Extremes> drawn;
+    for (const QCPGraphData& point : curve->points(plot.xAxis->range()))
+        drawn[columnOf(point.key)].add(point.value);
+    QCOMPARE(drawn.size(), expected.size());
+    int gaps = 0;
+    for (const auto& [column, extremes] : expected) {
+        QVERIFY(drawn.contains(column));
+        // At both ends a column may contain rows beyond the range.
+        if (column == expected.begin()->first || column == expected.rbegin()->first)
+            continue;
+        gaps += extremes.empty() ? 1 : 0;
+        QCOMPARE(drawn[column].lowest, extremes.lowest);
+        QCOMPARE(drawn[column].highest, extremes.highest);
+    }
+    QVERIFY(gaps > 3); // unknown values stay a gap
+}
+
+/// The CPU seconds of one tick while blocks are played again, as the panel does it.
+double tickSeconds(std::size_t rows) {
+    std::mt19937 random(3);
+    PersistentArray<BlockStatistics> blocks;
+    for (std::size_t k = 0; k < rows; ++k)
+        blocks.push_back(randomBlock(random));
+    PlotHistory history;
+    PlotView view(plot("faces"));
+    view.resize(700, 300);
+    view.setRows({blocks, {}}, history.update(blocks, {}, true).blocks);
+    view.setBlock(rows / 2, rows);
+    view.replot();
+    constexpr int kTicks = 20;
+    const std::clock_t begin = std::clock();
+    for (std::size_t tick = 0; tick < kTicks; ++tick) {
+        for (std::size_t k = 0; k < 30; ++k)
+            blocks.edit(rows / 2 + 30 * tick + k).facesShown = static_cast<std::uint32_t>(random() % 1000);
+        view.setRows({blocks, {}}, history.update(blocks, {}, true).blocks);
+        view.setBlock(rows / 2 + 30 * tick, rows);
+        view.replot();
+    }
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / kTicks;
+}
+
+void PlotsTest::aDrawingLooksAtPixelsAndNotAtRows() {
+    const double few = std::min(tickSeconds(30'000), tickSeconds(30'000));
+    const double many = std::min(tickSeconds(1'000'000), tickSeconds(1'000'000));
+    qInfo("a tick: %.2f ms with 30 000 rows, %.2f ms with 1 000 000", 1e3 * few, 1e3 * many);
+    QVERIFY2(many < 3 * few, qPrintable(QStringLiteral("%1 %2").arg(many).arg(few)));
+}
+
+void PlotsTest::tracesOfManyUpdatesAreThoseOfEachRow() {
+    std::mt19937 random(12);
+    ParameterTrace trace;
+    std::vector<double> used; // the allowance of each row
+    for (int round = 0; round < 2000; ++round) {
+        DecimationParameters parameters;
+        parameters.allowance = 1 + static_cast<double>(random() % 3);
+        const std::size_t rows = random() % 20 == 0 ? random() % 100 : used.size() + random() % 10;
+        const std::size_t first = random() % (rows + 1);
+        const std::size_t executed = first + random() % 30;
+        trace.update(parameters, first, executed, rows);
+        used.resize(rows, parameters.allowance);
+        for (std::size_t row = first; row < std::min(executed, rows); ++row)
+            used[row] = parameters.allowance;
+        std::vector<std::size_t> changes;
+        for (std::size_t row = 1; row < rows; ++row)
+            if (used[row] != used[row - 1])
+                changes.push_back(row);
+        QCOMPARE(trace.changes(), changes);
+    }
+}
+
+/// A program so long that its plots are filled in several slices.
+void PlotsTest::onlyShownPlotsAreFilled() {
+    constexpr std::size_t kLines = 100'000;
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("long.nc")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("G21 G90 T1 M6\nF1000 S1000 M3\nG0 X0 Y0 Z50\nG1\n");
+    for (std::size_t k = 1; k < kLines; ++k)
+        file.write(k % 2 == 0 ? "X0\n" : "X1\n");
+    file.close();
+    Session session;
+    PlotsPanel panel(session);
+    panel.resize(700, 300);
+    panel.show();
+    QVERIFY(opened(session, file.fileName()));
+    QTRY_VERIFY_WITH_TIMEOUT(session.program().current() && !session.program().isReading(), 30'000);
+    const std::size_t blocks = session.program().blockCount();
+    QVERIFY(blocks >= kLines);
+    session.playback().seek(blocks);
+    PlotView& shown = *panel.views().front();
+    PlotView& hidden = *panel.views().back();
+    QVERIFY(shown.isVisible() && !hidden.isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(shown.rows(), blocks, 30'000);
+    QCOMPARE(hidden.rows(), std::size_t{0});
+    showPlot(panel, hidden.spec().id);
+    QVERIFY(hidden.isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(hidden.rows(), blocks, 30'000);
+    const PlotInput input{session.simulation().frame()->statistics,
+                          {},
+                          session.program().times().get(),
+                          session.program().current().get()};
+    compare(shown, input);
 }
 
 /// Compares with Qt's polygons for simple shapes.
@@ -732,6 +953,7 @@ void PlotsTest::panelShowsARunAndExportsIt() {
         QCOMPARE(faces.value(1, row), static_cast<double>(frame->statistics[row].facesShown));
     }
     PlotView& rate = *panel.views()[static_cast<std::size_t>(&plot("removal-rate") - plotCatalogue().data())];
+    showPlot(panel, "removal-rate");
     QTRY_VERIFY_WITH_TIMEOUT(rate.rows() >= 120 && !std::isnan(rate.value(0, 119)), 30'000);
     const auto times = session.program().times(); // they may arrive before or after the rows
     QVERIFY(times != nullptr);
