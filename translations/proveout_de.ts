@@ -7046,6 +7046,14 @@ Vorgabe: 0 mm</translation>
         <translation>Ein gröberes Raster oder eine größere Toleranz wählen.</translation>
     </message>
     <message>
+        <source>The surface needs more than the {} of memory that are available; any surface on a grid of {} mm would fit.</source>
+        <translation>Die Oberfläche braucht mehr als die {} Speicher, die verfügbar sind; auf einem Raster von {} mm würde jede Oberfläche passen.</translation>
+    </message>
+    <message>
+        <source>Increase the grid spacing or the allowance, or close other programs.</source>
+        <translation>Den Rasterabstand oder die Toleranz vergrößern oder andere Programme schließen.</translation>
+    </message>
+    <message>
         <source>Map too large for method</source>
         <translation>Z-Map zu groß für das Verfahren</translation>
     </message>

@@ -7046,6 +7046,14 @@ Default: 0 mm</source>
         <translation>더 거친 격자나 더 큰 허용 오차를 선택하십시오.</translation>
     </message>
     <message>
+        <source>The surface needs more than the {} of memory that are available; any surface on a grid of {} mm would fit.</source>
+        <translation>표면에 사용 가능한 메모리 {}보다 많은 메모리가 필요합니다. 격자 {} mm에서는 어떤 표면도 들어갑니다.</translation>
+    </message>
+    <message>
+        <source>Increase the grid spacing or the allowance, or close other programs.</source>
+        <translation>격자 간격이나 허용 오차를 늘리거나 다른 프로그램을 종료하십시오.</translation>
+    </message>
+    <message>
         <source>Map too large for method</source>
         <translation>이 방법에 너무 큰 Z맵</translation>
     </message>

@@ -10,16 +10,15 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
-#include "core/base/figures_argument.h"
 #include "core/base/file_state.h"
 #include "core/decimation/solid/solid.h"
-#include "core/decimation/surface/map_memory.h"
 #include "core/decimation/surface/refined_surface.h"
 #include "core/formats/export_findings.h"
 #include "core/formats/file_allowance.h"
 #include "core/formats/solid_export.h"
 #include "core/verification/findings/window_findings.h"
 #include "ui/document/file_paths.h"
+#include "ui/program/export_memory.h"
 
 namespace proveout {
 
@@ -40,24 +39,6 @@ DecimationParameters parametersOf(const Frame& frame, const ExportOptions& optio
 
 tl::unexpected<Diagnostics> cancelled() {
     return failure(export_finding::kCancelledWriting);
-}
-
-/// The z-map itself is already in memory, but an export with another grid spacing needs another one.
-Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, double limitBytes) {
-    const Grid& grid = frame.zmap.grid();
-    const double points = static_cast<double>(grid.nx) * grid.ny;
-    const MapOutputs outputs{.schedule = false, .whole = true, .solid = true};
-    const double bytesPerPoint = meshBytesPerPoint(parametersOf(frame, options), outputs);
-    const double needed = points * bytesPerPoint;
-    if (needed <= limitBytes)
-        return {};
-    const auto would = finestSpacing(frame.zmap.stock(), limitBytes + zmapBytes(grid), bytesPerPoint);
-    std::vector<Argument> arguments{figures("{}", readableBytes(needed)),
-                                    figures("{}", readableBytes(limitBytes))};
-    if (!would)
-        return failure(window_finding::kExportNeedsTooMuchMemory, std::move(arguments));
-    arguments.push_back(figures("{:g}", *would));
-    return failure(window_finding::kExportNeedsCoarserGrid, std::move(arguments));
 }
 
 /// The user agreed to overwrite the content of the file at that time, which may be minutes ago.
@@ -83,24 +64,30 @@ Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const 
 
 /// The solid for a file that keeps the allowance.
 Result<SolidForExport> makeSolid(const ZMapSnapshot& zmap, FileAllowance& allowance,
-                                 const WorkContext& context) {
+                                 const ExportMemory& memory, const WorkContext& context) {
+    const WorkContext limited{memory.stop(), context.progress};
     for (;;) {
-        const WorkContext part = allowance.thisTry(context);
+        const WorkContext part = allowance.thisTry(limited);
         std::vector<LatticeTriangle> triangles =
             decimatedWhole(zmap, allowance.parameters(), part.part(0, kDecimated)).releaseTriangles();
         if (context.stopped())
             return cancelled();
+        if (memory.isExceeded(triangles.size()))
+            return memory.tooLarge();
         SolidForExport solid(zmap, closeSolid(zmap, std::move(triangles), part.part(kDecimated, kClosed)),
                              errorLevel(allowance.promised()));
+        const bool again = !limited.stopped() && allowance.reduce(solid, part.part(kClosed, 1));
         if (context.stopped())
             return cancelled();
-        if (!allowance.reduce(solid, part.part(kClosed, 1)))
+        if (memory.isExceeded(0))
+            return memory.tooLarge();
+        if (!again)
             return solid;
     }
 }
 
 Result<ExportSummary> write(const Frame& frame, const QString& file, const ExportOptions& options,
-                            const WorkContext& context) {
+                            const WorkContext& context, double limitBytes) {
     const Result<const FileFormat*> format =
         options.format != nullptr ? options.format : meshFormatOf(toPath(file));
     if (!format)
@@ -108,6 +95,9 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     const FileState chosen = stateOf(toPath(file));
     const CoordinateType coordinates = (*format)->meshWriter()->coordinates;
     const DecimationParameters parameters = parametersOf(frame, options);
+    const ExportMemory memory(frame.zmap, parameters, limitBytes, context.stop);
+    if (Result<void> fits = memory.check(); !fits)
+        return tl::unexpected(std::move(fits.error()));
     const StockBox& stock = frame.zmap.stock();
     if (Result<void> fine = checkRounding(toPath(file), coordinates, parameters, stock); !fine)
         return tl::unexpected(std::move(fine.error()));
@@ -116,7 +106,7 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (Result<void> writable = checkTarget(file, bytes); !writable)
         return tl::unexpected(std::move(writable.error()));
     FileAllowance allowance(parameters, coordinates, stock);
-    Result<SolidForExport> solid = makeSolid(frame.zmap, allowance, context.part(0, kMade));
+    Result<SolidForExport> solid = makeSolid(frame.zmap, allowance, memory, context.part(0, kMade));
     if (!solid)
         return tl::unexpected(std::move(solid.error()));
     if (solid->mesh().triangles.empty())
@@ -161,9 +151,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const
     };
     if (stock != nullptr)
         return ofMoment(save(*stock, frame, file, options.provenance));
-    if (Result<void> fits = checkMeshMemory(frame, options, limitBytes); !fits)
-        return tl::unexpected(about(file, std::move(fits.error())));
-    return ofMoment(write(frame, file, options, context));
+    return ofMoment(write(frame, file, options, context, limitBytes));
 }
 
 ExportJob::ExportJob(QObject* parent) : QObject(parent) {}

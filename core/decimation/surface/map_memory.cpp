@@ -68,20 +68,18 @@ bool isWatched(const DecimationParameters& parameters, const MapOutputs& outputs
     return outputs.watched && decimates(parameters) && !row(parameters.method).wholeMap;
 }
 
-/// What is taken whatever the surface looks like.
+} // namespace
+
 double certainBytesPerPoint(const DecimationParameters& parameters, MapOutputs outputs) {
     if (!isWatched(parameters, outputs))
         return meshBytesPerPoint(parameters, outputs);
     const double maps = mapsBytesPerPoint(parameters, outputs);
-    const double regions =
-        followsSchedule(parameters, outputs) ? emptyRegionBytesPerPoint(parameters) : 0;
+    const double regions = followsSchedule(parameters, outputs) ? emptyRegionBytesPerPoint(parameters) : 0;
     if (outputs.whole)
         outputs.solid = false; // of the triangles that are watched
     outputs.schedule = outputs.whole = outputs.shaped = false;
     return maps + regions + meshBytesPerPoint(parameters, outputs);
 }
-
-} // namespace
 
 double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
     const bool whole = decimatesWhole(parameters, outputs) && !outputs.solid; // a solid reuses its triangles
@@ -99,7 +97,8 @@ double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutput
         const int merged = canMerge(parameters) ? layers(parameters.regionCells, kMostExportCells) : 0;
         more = std::max({more, merged * kLayer, kMeasured});
     }
-    return mapsBytesPerPoint(parameters, outputs) + scheduled + std::max(whole + more, outputs.solid ? kSolid : 0);
+    return mapsBytesPerPoint(parameters, outputs) + scheduled +
+           std::max(whole + more, outputs.solid ? kSolid : 0);
 }
 
 double mapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {
@@ -132,8 +131,7 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
     coarser.regionCells = std::min(parameters.regionCells, row(parameters.method).defaultRegion);
     const double anySurface =
         std::max(meshBytesPerPoint(parameters, outputs), meshBytesPerPoint(coarser, outputs));
-    return checkMemory(stock, grid, limitBytes,
-                       certainBytesPerPoint(parameters, outputs), anySurface);
+    return checkMemory(stock, grid, limitBytes, certainBytesPerPoint(parameters, outputs), anySurface);
 }
 
 double bytesAtRest(const DecimationParameters& parameters, const Grid& grid, std::size_t faces) {

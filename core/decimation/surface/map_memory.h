@@ -27,6 +27,9 @@ struct MapOutputs {
 /// surface comes down to the floor everywhere.
 [[nodiscard]] double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
 
+/// The same of what is taken whatever the surface looks like: without the triangles that are watched.
+[[nodiscard]] double certainBytesPerPoint(const DecimationParameters& parameters, MapOutputs outputs);
+
 /// Bytes for measuring a surface that exists already, of so many triangles, and, if a solid is wanted,
 /// closing it.
 [[nodiscard]] double surfaceBytes(const Grid& grid, std::size_t faces, const MapOutputs& outputs);

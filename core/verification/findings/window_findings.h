@@ -106,6 +106,14 @@ inline constexpr FindingRow kExportNeedsCoarserGrid{
     PROVEOUT_TEXT("Core",
                   "The export needs {} of memory; only {} is available, enough for a grid spacing of {} mm."),
     PROVEOUT_TEXT("Core", "Increase the grid spacing, or close other programs.")};
+inline constexpr FindingRow kExportSurfaceTooLarge{
+    Severity::error,
+    false,
+    "export-needs-too-much-memory",
+    PROVEOUT_TEXT("Core", "Export too large"),
+    PROVEOUT_TEXT("Core", "The surface needs more than the {} of memory that are available; any surface on a "
+                          "grid of {} mm would fit."),
+    PROVEOUT_TEXT("Core", "Increase the grid spacing or the allowance, or close other programs.")};
 inline constexpr FindingRow kExportFailed{Severity::error,
                                           false,
                                           "export-failed",
@@ -166,6 +174,7 @@ inline constexpr std::array kWindowRows{&kBackupDamaged,
                                         &kExportRunning,
                                         &kExportNeedsTooMuchMemory,
                                         &kExportNeedsCoarserGrid,
+                                        &kExportSurfaceTooLarge,
                                         &kExportFailed,
                                         &kDetailOutOfMemory,
                                         &kDetailFailed,

@@ -19,13 +19,13 @@
 namespace proveout {
 namespace {
 
-Frame uncutFrame() {
+Frame uncutFrame(double spacing = 0.5) {
     StockBox stock;
     stock.width = 20;
     stock.depth = 10;
     stock.height = 5;
     Frame frame;
-    frame.zmap = ZMap(stock, makeGrid(stock, 0.5).value()).snapshot();
+    frame.zmap = ZMap(stock, makeGrid(stock, spacing).value()).snapshot();
     return frame;
 }
 
@@ -58,6 +58,20 @@ private slots:
             frame, file, {}, {},
             41 * 21 *
                 meshBytesPerPoint(frame.parameters, {.schedule = false, .whole = true, .solid = true})));
+    }
+
+    void theTrianglesOfADecimatedSurfaceAreWatchedInsteadOfRequired() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.stl"));
+        const Frame frame = uncutFrame(0.01); // 2 million points; 330 MB if no triangle could be removed
+        const Result<ExportSummary> refused = exportFrame(frame, file, {}, {}, 1e6);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().front().id, "export-needs-too-much-memory");
+        QVERIFY(sentence(refused.error().front()).contains(QLatin1String("1.0 MB")));
+        QVERIFY(!QFile::exists(file));
+        const Result<ExportSummary> written = exportFrame(frame, file, {}, {}, 150e6);
+        QVERIFY2(written, written ? "" : qPrintable(sentence(written.error().front())));
+        QVERIFY(QFile::exists(file));
     }
 
     void theEndingNamesTheFormatWhereNoneIsChosen() {
