@@ -206,7 +206,7 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
-    <name>CheckpointMenu</name>
+    <name>MemoryMenu</name>
     <message>
         <source>%1 (default)</source>
         <translation>%1 (Vorgabe)</translation>
@@ -8311,6 +8311,10 @@ Vorgabe: 0 mm</translation>
         <translation>Speicher zum &amp;Zurückgehen</translation>
     </message>
     <message>
+        <source>&amp;Graphics Memory</source>
+        <translation>&amp;Grafikspeicher</translation>
+    </message>
+    <message>
         <source>L&amp;ayout</source>
         <translation>A&amp;nordnung</translation>
     </message>
@@ -9788,6 +9792,10 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>A shader failed to compile; see the log.</source>
         <translation>Ein Shader ließ sich nicht kompilieren; siehe Protokoll.</translation>
+    </message>
+    <message>
+        <source>The picture is coarser than the grid. Zoom in, or allow more graphics memory.</source>
+        <translation>Die Darstellung ist gröber als das Raster. Näher heranzoomen oder mehr Grafikspeicher erlauben.</translation>
     </message>
     <message>
         <source>The grid is too large for the graphics driver; the stock is not drawn. Increase the grid spacing.</source>

@@ -206,7 +206,7 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
-    <name>CheckpointMenu</name>
+    <name>MemoryMenu</name>
     <message>
         <source>%1 (default)</source>
         <translation>%1(기본값)</translation>
@@ -8310,6 +8310,10 @@ Default: 0 mm</source>
         <translation>되감기 메모리(&amp;M)</translation>
     </message>
     <message>
+        <source>&amp;Graphics Memory</source>
+        <translation>그래픽 메모리(&amp;G)</translation>
+    </message>
+    <message>
         <source>L&amp;ayout</source>
         <translation>배치(&amp;A)</translation>
     </message>
@@ -9787,6 +9791,10 @@ Default: the next free number</source>
     <message>
         <source>A shader failed to compile; see the log.</source>
         <translation>셰이더를 컴파일하지 못했습니다. 로그를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The picture is coarser than the grid. Zoom in, or allow more graphics memory.</source>
+        <translation>그림이 격자보다 거칩니다. 확대하거나 그래픽 메모리를 더 허용하십시오.</translation>
     </message>
     <message>
         <source>The grid is too large for the graphics driver; the stock is not drawn. Increase the grid spacing.</source>

@@ -20,6 +20,7 @@ struct Surroundings {
     vec2 first; // the map's first and last point
     vec2 last;
     float layer;
+    float cells; // from one texel to the next
 };
 
 Surroundings surroundingsOf(vec2 cells) {
@@ -31,6 +32,7 @@ Surroundings surroundingsOf(vec2 cells) {
     around.first = (0.5 - origin) * around.texel;
     around.last = (vec2(gridPoints) - origin - 0.5) * around.texel;
     around.layer = float(page.y * pageColumns + page.x);
+    around.cells = 1.0;
     return around;
 }
 

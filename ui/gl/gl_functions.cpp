@@ -17,6 +17,12 @@ Gl* currentGl() {
     return gl != nullptr && gl->initializeOpenGLFunctions() ? gl : nullptr;
 }
 
+void forgetErrors(Gl& gl) {
+    constexpr int kMost = 16; // a lost context reports one for ever
+    for (int k = 0; k < kMost && gl.glGetError() != GL_NO_ERROR; ++k) {
+    }
+}
+
 bool isSoftwareRenderer(const QString& renderer) {
     for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer", "GDI Generic"})
         if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive))

@@ -14,6 +14,9 @@ using Gl = QOpenGLFunctions_3_3_Core;
 /// context.
 [[nodiscard]] Gl* currentGl();
 
+/// Drops the errors of earlier calls, so that the next one is that of the calls that follow.
+void forgetErrors(Gl& gl);
+
 /// An offset in the bound buffer, in bytes. OpenGL expects it as a pointer, because its interface is older
 /// than buffers.
 [[nodiscard]] inline const void* bufferPlace(std::size_t bytes) {

@@ -16,6 +16,20 @@ HeightPages HeightPages::of(const Grid& grid, int most) {
     return pages;
 }
 
+HeightPages HeightPages::ofSide(const Grid& grid, int side) {
+    HeightPages pages;
+    pages.margin = kMargin;
+    pages.points = {side, side};
+    pages.columns = (grid.nx + side - 1) / side;
+    pages.rows = (grid.ny + side - 1) / side;
+    return pages;
+}
+
+std::size_t HeightPages::bytes() const {
+    return sizeof(float) * static_cast<std::size_t>(texels().x) * static_cast<std::size_t>(texels().y) *
+           static_cast<std::size_t>(count());
+}
+
 IndexRect HeightPages::held(int column, int row, const Grid& grid) const {
     return {std::max(column * points.x - margin, 0), std::max(row * points.y - margin, 0),
             std::min((column + 1) * points.x + margin, grid.nx),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include <glm/glm.hpp>
 
 #include "core/base/index_rect.h"
@@ -22,8 +24,12 @@ struct HeightPages {
     /// The fewest pages with at most `most` points along a side, margin included.
     [[nodiscard]] static HeightPages of(const Grid& grid, int most);
 
+    /// Pages of `side` points along a side, and a margin.
+    [[nodiscard]] static HeightPages ofSide(const Grid& grid, int side);
+
     [[nodiscard]] int count() const { return columns * rows; }
     [[nodiscard]] glm::ivec2 texels() const { return points + 2 * margin; } ///< of one layer
+    [[nodiscard]] std::size_t bytes() const;                                ///< of all layers
     /// The points of the grid that a page holds, margin included.
     [[nodiscard]] IndexRect held(int column, int row, const Grid& grid) const;
     /// The pages that hold any of these points, as columns and rows.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace proveout {
 
@@ -20,11 +21,18 @@ HeightPages HeightTexture::pagesOf(Gl& gl, const Grid& grid) const {
     return HeightPages::of(grid, std::min<int>(limit, m_mostPoints));
 }
 
+std::size_t HeightTexture::bytesOf(Gl& gl, const Grid& grid) const {
+    return pagesOf(gl, grid).bytes();
+}
+
+bool HeightTexture::isCounted(const Grid& grid) {
+    return static_cast<std::int64_t>(grid.nx) * grid.ny <= kMostPoints;
+}
+
 bool HeightTexture::fits(Gl& gl, const Grid& grid) const {
     GLint limit = 0;
     gl.glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &limit);
-    const bool counted = static_cast<std::int64_t>(grid.nx) * grid.ny <= kMostPoints;
-    return counted && pagesOf(gl, grid).count() <= limit && !(m_refused == grid);
+    return isCounted(grid) && pagesOf(gl, grid).count() <= limit && !(m_refused == grid);
 }
 
 HeightTexture::Uploaded HeightTexture::refuse(Gl& gl) {
@@ -39,9 +47,7 @@ bool HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
     m_grid = moment.grid();
     m_pages = pagesOf(gl, m_grid);
     m_floor = moment.floor();
-    m_tiles.assign(moment.tileCount(), nullptr);
-    m_onFloor.assign(moment.tileCount(), false);
-    m_tilesOnFloor = 0;
+    m_tiles.reset(moment.tileCount());
     if (m_texture == 0)
         gl.glGenTextures(1, &m_texture);
     gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_texture);
@@ -52,10 +58,7 @@ bool HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
     gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     // After the parameters are set, because a driver allocates the mipmap levels that they require.
-    constexpr int kErrorsKept = 16; // a lost context reports one for ever
-    for (int k = 0; k < kErrorsKept && gl.glGetError() != GL_NO_ERROR;
-         ++k) { // earlier ones are not of this call
-    }
+    forgetErrors(gl);
     gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y, m_pages.count(),
                     0, GL_RED, GL_FLOAT, nullptr);
     m_untried = true;
@@ -105,15 +108,7 @@ std::size_t HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_
                                GL_FLOAT, tile.heights.data());
             points += static_cast<std::size_t>(part.width()) * static_cast<std::size_t>(part.height());
         }
-    float lowest = 0;
-    for (int j = 0; j < rect.height(); ++j) {
-        const float* row = tile.heights.data() + static_cast<std::ptrdiff_t>(j) * Tile::kSize;
-        lowest = std::min(lowest, *std::min_element(row, row + rect.width()));
-    }
-    const bool onFloor = lowest <= moment.floor();
-    if (onFloor != m_onFloor[index])
-        m_tilesOnFloor = onFloor ? m_tilesOnFloor + 1 : m_tilesOnFloor - 1;
-    m_onFloor[index] = onFloor;
+    m_tiles.set(index, moment);
     return sizeof(float) * points;
 }
 
@@ -128,11 +123,10 @@ HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment
     }
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, Tile::kSize);
     for (std::size_t index = 0; index < moment.tileCount() && uploaded.whole; ++index) {
-        if (moment.tile(index) == m_tiles[index])
+        if (moment.tile(index) == m_tiles.tile(index))
             continue;
         uploaded.bytes += upload(gl, moment, index);
         ++uploaded.tiles;
-        m_tiles[index] = moment.tile(index);
         uploaded.whole = !budget.spent();
     }
     gl.glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
@@ -147,7 +141,7 @@ void HeightTexture::release(Gl& gl) {
     if (m_texture != 0)
         gl.glDeleteTextures(1, &m_texture);
     m_texture = 0;
-    m_tiles.clear();
+    m_tiles.reset(0);
 }
 
 } // namespace proveout

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include "core/zmap/zmap.h"
 #include "ui/gl/gl_functions.h"
 #include "ui/gl/height_pages.h"
+#include "ui/gl/tile_record.h"
 #include "ui/gl/upload_budget.h"
 
 namespace proveout {
@@ -23,6 +22,8 @@ public:
     HeightTexture(const HeightTexture&) = delete;
     HeightTexture& operator=(const HeightTexture&) = delete;
 
+    /// Whether shaders can count the points of a grid.
+    [[nodiscard]] static bool isCounted(const Grid& grid);
     /// Whether the driver accepts that many pages; false too for the last grid that it had no memory for.
     [[nodiscard]] bool fits(Gl& gl, const Grid& grid) const;
 
@@ -41,7 +42,10 @@ public:
     [[nodiscard]] GLuint id() const { return m_texture; } ///< a GL_TEXTURE_2D_ARRAY
     [[nodiscard]] const HeightPages& pages() const { return m_pages; }
     /// Whether any point is on the floor of the stock, so that the surface may have holes.
-    [[nodiscard]] bool touchesFloor() const { return m_tilesOnFloor > 0; }
+    [[nodiscard]] bool touchesFloor() const { return m_tiles.touchesFloor(); }
+    /// The bytes that all heights of a grid take.
+    [[nodiscard]] std::size_t bytesOf(Gl& gl, const Grid& grid) const;
+    [[nodiscard]] std::size_t bytes() const { return m_texture == 0 ? 0 : m_pages.bytes(); } ///< held now
 
 private:
     [[nodiscard]] HeightPages pagesOf(Gl& gl, const Grid& grid) const;
@@ -61,9 +65,7 @@ private:
     std::optional<Grid> m_refused; ///< the driver had no memory for it
     bool m_untried = true;         ///< drivers may take the memory at the first upload only
     float m_floor = 0;
-    std::vector<std::shared_ptr<const Tile>> m_tiles; ///< the uploaded tiles; null: not uploaded yet
-    std::vector<bool> m_onFloor;                      ///< per tile
-    std::size_t m_tilesOnFloor = 0;
+    TileRecord m_tiles;
 };
 
 } // namespace proveout

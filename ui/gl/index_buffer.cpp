@@ -9,7 +9,7 @@ namespace proveout {
 namespace {
 constexpr std::uint32_t kFirstCapacity = 1u << 16;
 
-GLsizeiptr bytes(std::size_t count) {
+GLsizeiptr bytesOf(std::size_t count) {
     return static_cast<GLsizeiptr>(count * IndexBuffer::kHalf);
 }
 
@@ -27,35 +27,57 @@ std::vector<std::uint16_t> halvesOf(std::span<const std::uint32_t> indices, Inde
 }
 } // namespace
 
-void IndexBuffer::reserve(Gl& gl, std::uint32_t count) {
+void IndexBuffer::setLimit(std::size_t bytes) {
+    m_limit = static_cast<std::uint32_t>(
+        std::min<std::size_t>(bytes / kHalf, std::numeric_limits<std::uint32_t>::max()));
+}
+
+GLuint IndexBuffer::make(Gl& gl, std::uint32_t capacity) {
+    GLuint buffer = 0;
+    gl.glGenBuffers(1, &buffer);
+    gl.glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+    gl.glBufferData(GL_COPY_WRITE_BUFFER, bytesOf(capacity), nullptr, GL_DYNAMIC_DRAW);
+    return buffer;
+}
+
+bool IndexBuffer::reserve(Gl& gl, std::uint32_t count) {
     if (count <= m_capacity)
-        return;
-    const std::uint32_t capacity = std::max({count, kFirstCapacity, m_capacity + m_capacity / 2});
-    GLuint grown = 0;
-    gl.glGenBuffers(1, &grown);
-    gl.glBindBuffer(GL_COPY_WRITE_BUFFER, grown);
-    gl.glBufferData(GL_COPY_WRITE_BUFFER, bytes(capacity), nullptr, GL_DYNAMIC_DRAW);
+        return true;
+    const std::uint32_t room = m_limit > m_capacity ? m_limit - m_capacity : 0;
+    const std::uint32_t capacity =
+        std::min(std::max({count, kFirstCapacity, m_capacity + m_capacity / 2}), room);
+    if (capacity < count)
+        return false;
+    const GLuint grown = make(gl, capacity);
     if (m_buffer != 0) {
         gl.glBindBuffer(GL_COPY_READ_BUFFER, m_buffer);
-        gl.glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, bytes(m_capacity));
+        gl.glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, bytesOf(m_capacity));
         gl.glDeleteBuffers(1, &m_buffer);
     }
     m_buffer = grown;
     m_capacity = capacity;
+    return true;
 }
 
-IndexBuffer::Slot IndexBuffer::write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices,
-                                     IndexWidth width) {
+std::optional<IndexBuffer::Slot> IndexBuffer::write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices,
+                                                    IndexWidth width) {
     const std::vector<std::uint16_t> halves = halvesOf(indices, width);
     const auto count = static_cast<std::uint32_t>(halves.size());
     if (count > slot.capacity) {
         m_slots.free(slot);
         slot = m_slots.allocate(count);
-        reserve(gl, m_slots.extent());
+        if (!reserve(gl, m_slots.extent()))
+            return {};
     }
     gl.glBindBuffer(GL_COPY_WRITE_BUFFER, m_buffer);
-    gl.glBufferSubData(GL_COPY_WRITE_BUFFER, bytes(slot.offset), bytes(halves.size()), halves.data());
+    gl.glBufferSubData(GL_COPY_WRITE_BUFFER, bytesOf(slot.offset), bytesOf(halves.size()), halves.data());
     return slot;
+}
+
+void IndexBuffer::restart(Gl& gl) {
+    release(gl);
+    m_buffer = make(gl, m_limit);
+    m_capacity = m_limit;
 }
 
 void IndexBuffer::release(Gl& gl) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 
 #include "ui/gl/gl_functions.h"
@@ -23,20 +25,29 @@ public:
     IndexBuffer(const IndexBuffer&) = delete;
     IndexBuffer& operator=(const IndexBuffer&) = delete;
 
-    /// Writes a list (not empty) into `slot`, or into a new slot if it does not fit there.
-    [[nodiscard]] Slot write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices, IndexWidth width);
+    /// It never has more bytes than this, not even while it grows, which takes a copy.
+    void setLimit(std::size_t bytes);
+    /// Writes a list (not empty) into `slot`, or into a new slot if it does not fit there. Nothing if there
+    /// is no room; then restart() and write everything again.
+    [[nodiscard]] std::optional<Slot> write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices,
+                                            IndexWidth width);
+    /// Frees all lists and takes all bytes of the limit, so that it need not grow.
+    void restart(Gl& gl);
     void free(Slot slot) { m_slots.free(slot); }
     void clear() { m_slots.clear(); }
     void release(Gl& gl);
 
     [[nodiscard]] GLuint id() const { return m_buffer; }
+    [[nodiscard]] std::size_t bytes() const { return std::size_t{m_capacity} * kHalf; }
 
 private:
-    void reserve(Gl& gl, std::uint32_t count);
+    [[nodiscard]] bool reserve(Gl& gl, std::uint32_t count);
+    [[nodiscard]] GLuint make(Gl& gl, std::uint32_t capacity);
 
     SlotAllocator m_slots;
     GLuint m_buffer = 0;
-    std::uint32_t m_capacity = 0;
+    std::uint32_t m_capacity = 0; ///< in halves
+    std::uint32_t m_limit = std::numeric_limits<std::uint32_t>::max();
 };
 
 } // namespace proveout

@@ -52,8 +52,38 @@ UploadCounts SceneRenderer::upload(const FramePtr& frame) {
     return counts;
 }
 
+void SceneRenderer::setMemory(std::size_t bytes) {
+    m_memory = bytes;
+    shareMemory(m_shared);
+}
+
+/// A detail region gets a quarter: it is a small part of the stock, but much finer.
+void SceneRenderer::shareMemory(bool withBox) {
+    const bool changed = withBox != m_shared;
+    m_shared = withBox;
+    const std::size_t ofBox = m_memory / 4;
+    m_surface.setLimit(withBox ? m_memory - ofBox : m_memory);
+    m_boxSurface.setLimit(ofBox);
+    if (changed)
+        upload(m_frame);
+}
+
+void SceneRenderer::refine(const View& view, const UploadBudget& budget) {
+    m_coarseness = {};
+    if (m_frame == nullptr || !m_gridFits || m_frame->zmap.tileCount() == 0)
+        return;
+    m_coarseness = m_surface.refine(m_gl, *m_frame, view, budget);
+    if (m_box == nullptr)
+        return;
+    const Coarseness ofBox = m_boxSurface.refine(m_gl, *m_box, view, budget);
+    m_coarseness.coarser = m_coarseness.coarser || ofBox.coarser;
+    m_coarseness.pending = m_coarseness.pending || ofBox.pending;
+}
+
 bool SceneRenderer::uploadBox(const FramePtr& box, const UploadBudget& budget) {
     m_boxPending = false;
+    if (box != nullptr && !m_shared)
+        shareMemory(true);
     const bool drawn = box != nullptr && m_frame != nullptr && m_boxSurface.fits(m_gl, box->zmap.grid());
     if (!drawn) {
         m_box.reset();
@@ -144,7 +174,7 @@ void SceneRenderer::finish() {
     m_gl.glFinish();
 }
 
-void SceneRenderer::releaseBox() {
+void SceneRenderer::freeBox() {
     m_box.reset();
     m_boxIn.reset();
     m_boxPending = false;
@@ -152,9 +182,15 @@ void SceneRenderer::releaseBox() {
     m_boxFrame.release(m_gl);
 }
 
+void SceneRenderer::releaseBox() {
+    freeBox();
+    if (m_shared)
+        shareMemory(false);
+}
+
 void SceneRenderer::release() {
     m_surface.release(m_gl);
-    releaseBox();
+    freeBox();
     m_cutter.release(m_gl);
     m_path.release(m_gl);
     if (m_emptyArray != 0)

@@ -23,6 +23,10 @@ public:
     SceneRenderer(const SceneRenderer&) = delete;
     SceneRenderer& operator=(const SceneRenderer&) = delete;
 
+    /// The bytes of heights and triangles that may be held on the GPU; without a call, any number.
+    void setMemory(std::size_t bytes);
+    /// Those that are held.
+    [[nodiscard]] std::size_t memoryHeld() const { return m_surface.bytes() + m_boxSurface.bytes(); }
     /// Uploads what differs from the previous frame. If the driver cannot hold the heights of
     /// the grid, no stock is drawn and gridFits() is false.
     UploadCounts upload(const FramePtr& frame);
@@ -30,6 +34,11 @@ public:
     /// null: none. It is drawn once it is complete, which may take several calls. Returns false if the driver
     /// cannot hold its heights; it is not drawn then.
     bool uploadBox(const FramePtr& box, const UploadBudget& budget = {});
+    /// Loads what this view of the uploaded frame and detail region needs, if not all heights fit the memory.
+    /// Call it before draw().
+    void refine(const View& view, const UploadBudget& budget = {});
+    /// How the picture of that view differs from that of all points.
+    [[nodiscard]] const Coarseness& coarseness() const { return m_coarseness; }
     /// Whether the detail region needs another call.
     [[nodiscard]] bool boxPending() const { return m_boxPending; }
     /// Processes a part of the toolpath that is shown through the stock; it is drawn once complete, which may
@@ -56,6 +65,8 @@ private:
     void drawBox(const View& view, const SceneOptions& options, const StockView& stockView,
                  const Vec3& origin);
     void drawBackdrop(const SceneOptions& options);
+    void shareMemory(bool withBox);
+    void freeBox();
 
     Gl& m_gl;
     ShaderProgram m_backdrop;
@@ -70,6 +81,9 @@ private:
     FramePtr m_boxIn; ///< the frame that the region's edge was created for
     bool m_boxPending = false;
     bool m_gridFits = true;
+    std::size_t m_memory = std::numeric_limits<std::size_t>::max();
+    bool m_shared = false; ///< with a detail region
+    Coarseness m_coarseness;
 };
 
 } // namespace proveout

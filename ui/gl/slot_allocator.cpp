@@ -25,6 +25,10 @@ SlotAllocator::Slot SlotAllocator::allocate(std::uint32_t count) {
     return slot;
 }
 
+std::size_t SlotAllocator::rounded(std::size_t bytes) {
+    return std::bit_ceil(std::max<std::size_t>(bytes, kSmallest * sizeof(std::uint32_t)));
+}
+
 void SlotAllocator::free(Slot slot) {
     if (slot.capacity > 0)
         m_free[static_cast<std::size_t>(std::countr_zero(slot.capacity))].push_back(slot.offset);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,8 @@ public:
     /// The number of elements that the buffer must hold.
     [[nodiscard]] std::uint32_t extent() const { return m_extent; }
     void clear();
+    /// What a list of so many bytes takes at most.
+    [[nodiscard]] static std::size_t rounded(std::size_t bytes);
 
 private:
     std::vector<std::vector<std::uint32_t>> m_free; ///< offsets of free slots, by the exponent of their size

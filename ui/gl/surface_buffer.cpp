@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+
+#include "ui/gl/coarse_points.h"
 
 namespace proveout {
 namespace {
@@ -10,20 +13,26 @@ namespace {
 /// Strips with this many cells keep a row's points in the vertex cache until the next row uses them.
 constexpr int kStripCells = 16;
 
-/// The canonical 4-8 triangulation of a rectangle of points, as offsets from its first point.
-std::vector<std::uint32_t> patternIndices(int nx, const IndexRect& points) {
+/// The canonical 4-8 triangulation of every step-th point of a rectangle, as offsets from its first point.
+std::vector<std::uint32_t> patternIndices(int nx, const IndexRect& points, int step) {
     std::vector<std::uint32_t> indices;
-    const int cellsX = points.width() - 1;
-    const int cellsY = points.height() - 1;
+    const std::vector<int> columns = sampledPoints(0, points.width(), points.width(), step).points;
+    const std::vector<int> rows = sampledPoints(0, points.height(), points.height(), step).points;
+    const auto cellsX = static_cast<int>(columns.size()) - 1;
+    const auto cellsY = static_cast<int>(rows.size()) - 1;
     indices.reserve(static_cast<std::size_t>(cellsX) * static_cast<std::size_t>(cellsY) * 6);
+    const auto offset = [&](int i, int j) {
+        return static_cast<std::uint32_t>(rows[static_cast<std::size_t>(j)]) *
+                   static_cast<std::uint32_t>(nx) +
+               static_cast<std::uint32_t>(columns[static_cast<std::size_t>(i)]);
+    };
     for (int strip = 0; strip < cellsX; strip += kStripCells)
         for (int j = 0; j < cellsY; ++j)
             for (int i = strip; i < std::min(strip + kStripCells, cellsX); ++i) {
-                const auto sw = static_cast<std::uint32_t>(j) * static_cast<std::uint32_t>(nx) +
-                                static_cast<std::uint32_t>(i);
-                const std::uint32_t se = sw + 1;
-                const std::uint32_t nw = sw + static_cast<std::uint32_t>(nx);
-                const std::uint32_t ne = nw + 1;
+                const std::uint32_t sw = offset(i, j);
+                const std::uint32_t se = offset(i + 1, j);
+                const std::uint32_t nw = offset(i, j + 1);
+                const std::uint32_t ne = offset(i + 1, j + 1);
                 if ((points.i0 + i + points.j0 + j) % 2 == 0)
                     indices.insert(indices.end(), {sw, se, ne, sw, ne, nw});
                 else
@@ -98,7 +107,9 @@ IndexBuffer::Slot SurfaceBuffer::write(Gl& gl, IndexBuffer::Slot slot,
     ++uploaded.lists;
     uploaded.indices += indices.size();
     uploaded.bytes += indices.size() * (width == IndexWidth::bits16 ? 1 : 2) * IndexBuffer::kHalf;
-    return m_indices.write(gl, slot, indices, width);
+    const std::optional<IndexBuffer::Slot> written = m_indices.write(gl, slot, indices, width);
+    uploaded.fits = uploaded.fits && written;
+    return written.value_or(IndexBuffer::Slot{});
 }
 
 void SurfaceBuffer::writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
@@ -117,11 +128,11 @@ std::uint32_t SurfaceBuffer::firstPoint(std::size_t region) const {
     return m_grid.lattice(points.i0, points.j0);
 }
 
-const SurfaceBuffer::Pattern& SurfaceBuffer::pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded) {
+SurfaceBuffer::Pattern SurfaceBuffer::pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded) {
     const auto key = std::tuple{points.width(), points.height(), (points.i0 + points.j0) % 2};
     auto found = m_patterns.find(key);
     if (found == m_patterns.end()) {
-        const std::vector<std::uint32_t> indices = patternIndices(m_grid.nx(), points);
+        const std::vector<std::uint32_t> indices = patternIndices(m_grid.nx(), points, m_step);
         const IndexWidth width = widthFor(indices);
         const Pattern made{write(gl, {}, indices, width, uploaded), width,
                            static_cast<std::uint32_t>(indices.size())};
@@ -155,28 +166,59 @@ bool SurfaceBuffer::updateRegion(Gl& gl, const SurfaceSnapshot& surface, std::si
     return true;
 }
 
-SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& surface,
-                                              const UploadBudget& budget) {
-    Uploaded uploaded;
-    if (!(surface.grid == m_grid) || m_regions.size() != surface.meshes.size()) {
-        m_grid = surface.grid;
-        m_regions.assign(surface.meshes.size(), {});
-        m_patterns.clear();
-        m_indices.clear();
-        m_collected = false;
-    }
-    for (std::size_t index = 0; index < m_regions.size() && uploaded.whole; ++index) {
+void SurfaceBuffer::forget() {
+    m_regions.assign(m_regions.size(), {});
+    m_patterns.clear();
+    m_indices.clear();
+    m_collected = false;
+}
+
+void SurfaceBuffer::updateRegions(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget,
+                                  Uploaded& uploaded) {
+    for (std::size_t index = 0; index < m_regions.size() && uploaded.whole && uploaded.fits; ++index) {
         if (!updateRegion(gl, surface, index, uploaded))
             continue;
         m_collected = false;
         uploaded.changed = true;
         uploaded.whole = !budget.spent();
     }
-    if (uploaded.whole && !m_collected) {
+    if (uploaded.whole && uploaded.fits && !m_collected) {
         collect(gl, uploaded);
         m_collected = true;
     }
+}
+
+SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& surface,
+                                              const UploadBudget& budget, int step) {
+    Uploaded uploaded;
+    if (!(surface.grid == m_grid) || m_regions.size() != surface.meshes.size() || step != m_step) {
+        m_grid = surface.grid;
+        m_step = step;
+        m_regions.resize(surface.meshes.size());
+        forget();
+    }
+    updateRegions(gl, surface, budget, uploaded);
+    if (!uploaded.fits) { // unless the room is only in pieces
+        forget();
+        m_indices.restart(gl);
+        uploaded.whole = uploaded.fits = true;
+        updateRegions(gl, surface, budget, uploaded);
+    }
+    if (!uploaded.fits)
+        forget();
     return uploaded;
+}
+
+std::size_t SurfaceBuffer::bytesFor(const SurfaceSnapshot& surface) {
+    constexpr std::size_t kTriangle = 3 * sizeof(std::uint32_t);
+    const auto cells = static_cast<std::size_t>(surface.grid.cells());
+    std::size_t bytes = 0;
+    for (std::size_t region = 0; region < surface.meshes.size(); ++region)
+        if (const RegionMeshPtr& mesh = surface.meshes[region]; mesh != nullptr)
+            bytes += SlotAllocator::rounded(mesh->triangles.size() * kTriangle);
+        else if (meetsPolyline(surface.regionBorders(region)))
+            bytes += SlotAllocator::rounded(8 * cells * kTriangle); // a strip of two triangles a cell
+    return bytes;
 }
 
 void SurfaceBuffer::collect(Gl& gl, Uploaded& uploaded) {
@@ -198,7 +240,9 @@ void SurfaceBuffer::collect(Gl& gl, Uploaded& uploaded) {
         const IndexRect points = meetsPolyline(region.borders) ? inner(all) : all;
         if (!hasCells(points))
             continue;
-        const Pattern& shared = pattern(gl, points, uploaded);
+        const Pattern shared = pattern(gl, points, uploaded);
+        if (!uploaded.fits)
+            return;
         listOf(part, shared.width)
             .add(shared.slot.offset, shared.count, m_grid.lattice(points.i0, points.j0));
         triangles += shared.count / 3;
@@ -218,10 +262,9 @@ void SurfaceBuffer::draw(Gl& gl, Part part) {
 }
 
 void SurfaceBuffer::release(Gl& gl) {
-    m_indices.release(gl);
     m_regions.clear();
-    m_patterns.clear();
-    m_collected = false;
+    forget();
+    m_indices.release(gl);
 }
 
 } // namespace proveout

@@ -27,12 +27,21 @@ public:
         std::size_t bytes = 0;
         bool changed = false; ///< whether any mesh or border has changed
         bool whole = true;    ///< whether the surface is uploaded completely
+        bool fits = true;     ///< false: the limit is too small for it, and nothing is drawn
     };
     enum class Part : std::uint8_t { fromZMap, decimated };
 
+    /// IndexBuffer::setLimit().
+    void setLimit(std::size_t bytes) { m_indices.setLimit(bytes); }
     /// Uploads the surface, or a part of what is still missing; the next call continues. Do not draw before
-    /// it is complete.
-    [[nodiscard]] Uploaded update(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget = {});
+    /// it is complete. `step`: regions drawn from the z-map have every step-th of their points in each
+    /// direction; more than 1 only for a surface without any mesh or polyline, because a neighbour of one
+    /// has all points at its border.
+    [[nodiscard]] Uploaded update(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget = {},
+                                  int step = 1);
+    /// At least the bytes that the lists of a surface take.
+    [[nodiscard]] static std::size_t bytesFor(const SurfaceSnapshot& surface);
+    [[nodiscard]] std::size_t bytes() const { return m_indices.bytes(); } ///< held now
     /// Draws the triangles of one part with the bound program; a vertex array must be bound.
     void draw(Gl& gl, Part part);
     [[nodiscard]] std::size_t triangles(Part part) const {
@@ -73,11 +82,16 @@ private:
                    Uploaded& uploaded);
     /// Returns whether the region needed an update.
     bool updateRegion(Gl& gl, const SurfaceSnapshot& surface, std::size_t index, Uploaded& uploaded);
-    const Pattern& pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
+    [[nodiscard]] Pattern pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
+    void forget();
+    /// Stops where there is no room.
+    void updateRegions(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget,
+                       Uploaded& uploaded);
     [[nodiscard]] std::uint32_t firstPoint(std::size_t region) const;
     void collect(Gl& gl, Uploaded& uploaded);
 
     RegionGrid m_grid;
+    int m_step = 1;
     std::vector<Region> m_regions;
     bool m_collected = false; ///< whether m_lists is up to date
     IndexBuffer m_indices;

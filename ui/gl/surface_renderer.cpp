@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/gl/surface_renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace proveout {
 namespace {
@@ -10,56 +13,145 @@ namespace {
 constexpr std::array kNormals{glm::vec3(0, -1, 0), glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0),
                               glm::vec3(1, 0, 0), glm::vec3(0, 0, -1)};
 constexpr float kTintStrength = 0.65f;
-const QList<const char*> kVertex{"heights.glsl", "surface.vert"};
-
 } // namespace
 
 SurfaceRenderer::SurfaceRenderer(int mostTexturePoints)
-    : m_plain({kVertex, nullptr, {"heights.glsl", "lighting.glsl", "surface.frag"}, {}}),
-      m_holes(
-          {kVertex, nullptr, {"cut_out.glsl", "heights.glsl", "lighting.glsl", "surface.frag"}, {"HOLES"}}),
-      m_wire({kVertex,
-              "wireframe.geom",
-              {"cut_out.glsl", "heights.glsl", "lighting.glsl", "surface.frag"},
-              {"HOLES", "WIREFRAME"}}),
-      m_walls({kVertex, nullptr, {"cut_out.glsl", "heights.glsl", "lighting.glsl", "wall.frag"}, {}}),
-      m_heights(mostTexturePoints) {}
+    : m_programs("heights.glsl"), m_mostTexturePoints(mostTexturePoints), m_heights(mostTexturePoints) {}
 
-bool SurfaceRenderer::valid() const {
-    return m_plain.valid() && m_holes.valid() && m_wire.valid() && m_walls.valid();
+void SurfaceRenderer::setLimit(std::size_t bytes) {
+    m_chosen = m_chosen && bytes == m_limit;
+    m_limit = bytes;
+}
+
+std::size_t SurfaceRenderer::bytes() const {
+    return m_heights.bytes() + m_parts.bytes() + m_surface.bytes() + m_wallBuffer.bytes();
+}
+
+bool SurfaceRenderer::fits(Gl& gl, const Grid& grid) const {
+    return m_heights.bytesOf(gl, grid) <= m_limit ? m_heights.fits(gl, grid) : m_parts.fits(grid);
+}
+
+void SurfaceRenderer::choose(Gl& gl, const Grid& grid) {
+    if (m_chosen && grid == m_grid)
+        return;
+    m_chosen = true;
+    const std::size_t ofHeights = m_heights.bytesOf(gl, grid);
+    const bool whole = ofHeights <= m_limit;
+    if (!whole || m_partPrograms || bytes() > m_limit)
+        release(gl);
+    m_partPrograms.reset();
+    if (!whole) {
+        holdParts(gl, grid);
+        return;
+    }
+    const std::size_t ofWalls = std::min((m_limit - ofHeights) / 4, GraphicsShares::mostWallBytes(grid));
+    m_surface.setLimit(m_limit - ofHeights - ofWalls);
+    m_wallBuffer.setLimit(ofWalls);
+}
+
+void SurfaceRenderer::holdParts(Gl& gl, const Grid& grid) {
+    TextureLimits limits;
+    gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.side);
+    gl.glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &limits.layers);
+    limits.side = std::min(limits.side, m_mostTexturePoints);
+    m_shares = GraphicsShares::of(grid, m_limit, limits);
+    m_surface.setLimit(m_shares.lists);
+    m_wallBuffer.setLimit(m_shares.walls);
+    m_partPrograms.emplace("partial_heights.glsl");
 }
 
 UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame, const UploadBudget& budget) {
+    choose(gl, frame.zmap.grid());
     m_grid = frame.zmap.grid();
     m_floor = frame.zmap.floor();
     m_regionCells = frame.surface.grid.cells();
+    if (m_partPrograms)
+        return uploadParts(gl, frame, budget);
+    UploadCounts counts = uploadWhole(gl, frame, budget);
+    if (counts.fits || !m_heights.fits(gl, m_grid))
+        return counts;
+    release(gl); // there is room for the heights, but not for the triangles too
+    holdParts(gl, m_grid);
+    return uploadParts(gl, frame, budget);
+}
+
+bool SurfaceRenderer::uploadSurface(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget,
+                                    UploadCounts& counts, int step) {
+    const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, surface, budget, step);
+    counts.lists += uploaded.lists;
+    counts.whole = uploaded.whole;
+    m_wallsDue = m_wallsDue || uploaded.changed;
+    std::optional<std::size_t> ofWalls = 0;
+    if (uploaded.fits && uploaded.whole && std::exchange(m_wallsDue, false))
+        ofWalls = m_wallBuffer.update(gl, surface, step);
+    m_wallsDue = m_wallsDue || !ofWalls;
+    counts.indices += uploaded.indices + ofWalls.value_or(0);
+    counts.bytes += uploaded.bytes + ofWalls.value_or(0) * sizeof(std::uint32_t);
+    return uploaded.fits && ofWalls;
+}
+
+UploadCounts SurfaceRenderer::uploadWhole(Gl& gl, const Frame& frame, const UploadBudget& budget) {
     UploadCounts counts;
     const HeightTexture::Uploaded heights = m_heights.update(gl, frame.zmap, budget);
     counts.tiles = heights.tiles;
     counts.bytes = heights.bytes;
     counts.whole = heights.whole;
     counts.fits = heights.fits;
-    if (!counts.whole || !counts.fits)
-        return counts;
-    const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, frame.surface, budget);
-    counts.lists = uploaded.lists;
-    counts.whole = uploaded.whole;
-    m_wallsDue = m_wallsDue || uploaded.changed;
-    std::size_t ofWalls = 0;
-    if (counts.whole && std::exchange(m_wallsDue, false))
-        ofWalls = m_wallBuffer.update(gl, frame.surface);
-    counts.indices = uploaded.indices + ofWalls;
-    counts.bytes += uploaded.bytes + ofWalls * sizeof(std::uint32_t);
+    if (counts.whole && counts.fits)
+        counts.fits = uploadSurface(gl, frame.surface, budget, counts);
     return counts;
 }
 
+UploadCounts SurfaceRenderer::uploadParts(Gl& gl, const Frame& frame, const UploadBudget& budget) {
+    UploadCounts counts;
+    const HeightTexture::Uploaded heights = m_parts.update(gl, frame.zmap, m_shares, budget);
+    counts.tiles = heights.tiles;
+    counts.bytes = heights.bytes;
+    counts.whole = heights.whole;
+    counts.fits = heights.fits && m_partPrograms->valid();
+    if (!counts.whole || !counts.fits)
+        return counts;
+    m_sampled = SurfaceBuffer::bytesFor(frame.surface) > m_shares.lists ||
+                !m_parts.holdVertices(gl, frame.surface, frame.zmap) ||
+                !uploadSurface(gl, frame.surface, budget, counts);
+    if (m_sampled)
+        counts.fits = uploadSurface(gl, bare(frame.surface), budget, counts, m_shares.coarseStep);
+    return counts;
+}
+
+const SurfaceSnapshot& SurfaceRenderer::bare(const SurfaceSnapshot& surface) {
+    if (!(m_bare.grid == surface.grid) || m_bare.meshes.size() != surface.meshes.size()) {
+        m_bare.grid = surface.grid;
+        m_bare.meshes = PersistentArray<RegionMeshPtr>(surface.meshes.size());
+        m_bare.borders = PersistentArray<BorderLinePtr>(surface.borders.size());
+    }
+    return m_bare;
+}
+
+Coarseness SurfaceRenderer::refine(Gl& gl, const Frame& frame, const View& view, const UploadBudget& budget) {
+    if (!m_partPrograms)
+        return {};
+    const Vec3 origin(m_grid.x0, m_grid.y0, frame.zmap.stock().floorZ());
+    const bool fromBelow = view.perspective ? view.eye.z < origin.z : view.eye.z < 0;
+    const std::vector<VisiblePage> visible =
+        visiblePages(m_grid, m_parts.pages(), m_parts.heightsSeen(fromBelow),
+                     {view.clipFromWorld * glm::translate(glm::dmat4(1), origin), view.pixels});
+    const std::vector<int> pages = pagesToHold(visible, m_shares.coarseStep, m_parts.capacity());
+    const bool held = m_parts.hold(gl, frame.zmap, pages, budget);
+    return {m_sampled || !held || pages.size() < visible.size(), !held};
+}
+
 void SurfaceRenderer::setStock(Gl& gl, ShaderProgram& program, const SceneOptions& options) {
-    const HeightPages& pages = m_heights.pages();
-    program.set(gl, "heights", 0);
+    if (m_partPrograms) {
+        m_parts.set(gl, program);
+    } else {
+        const HeightPages& pages = m_heights.pages();
+        program.set(gl, "heights", 0);
+        program.set(gl, "pagePoints", pages.points);
+        program.set(gl, "pageColumns", pages.columns);
+        program.set(gl, "pageMargin", pages.margin);
+    }
     program.set(gl, "gridPoints", glm::ivec2(m_grid.nx, m_grid.ny));
-    program.set(gl, "pagePoints", pages.points);
-    program.set(gl, "pageColumns", pages.columns);
-    program.set(gl, "pageMargin", pages.margin);
     program.set(gl, "columns", m_grid.nx);
     program.set(gl, "points", m_grid.nx * m_grid.ny);
     program.set(gl, "spacing", glm::vec2(m_grid.hx, m_grid.hy));
@@ -72,9 +164,10 @@ void SurfaceRenderer::setStock(Gl& gl, ShaderProgram& program, const SceneOption
 }
 
 void SurfaceRenderer::drawTop(Gl& gl, const StockView& view, const SceneOptions& options) {
-    ShaderProgram& program = options.wireframe                                     ? m_wire
-                             : m_heights.touchesFloor() || m_cutOut.x < m_cutOut.z ? m_holes
-                                                                                   : m_plain;
+    const bool floor = m_partPrograms ? m_parts.touchesFloor() : m_heights.touchesFloor();
+    ShaderProgram& program = options.wireframe                  ? programs().wire
+                             : floor || m_cutOut.x < m_cutOut.z ? programs().holes
+                                                                : programs().plain;
     program.bind(gl);
     setView(gl, program, view);
     setStock(gl, program, options);
@@ -90,12 +183,13 @@ void SurfaceRenderer::drawTop(Gl& gl, const StockView& view, const SceneOptions&
 }
 
 void SurfaceRenderer::drawWalls(Gl& gl, const StockView& view, const SceneOptions& options) {
-    m_walls.bind(gl);
-    setView(gl, m_walls, view);
-    setStock(gl, m_walls, options);
+    ShaderProgram& program = programs().walls;
+    program.bind(gl);
+    setView(gl, program, view);
+    setStock(gl, program, options);
     for (std::size_t face = 0; face < WallBuffer::kFaces; ++face) {
-        m_walls.set(gl, "normal", kNormals[face]);
-        m_walls.set(gl, "underside", face == WallBuffer::kUnderside);
+        program.set(gl, "normal", kNormals[face]);
+        program.set(gl, "underside", face == WallBuffer::kUnderside);
         m_wallBuffer.draw(gl, face);
     }
 }
@@ -109,6 +203,7 @@ void SurfaceRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& op
 
 void SurfaceRenderer::release(Gl& gl) {
     m_heights.release(gl);
+    m_parts.release(gl);
     m_surface.release(gl);
     m_wallBuffer.release(gl);
     m_wallsDue = true;

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+#include <optional>
+
 #include "core/simulation/run/frame.h"
 #include "ui/gl/height_texture.h"
+#include "ui/gl/partial_heights.h"
 #include "ui/gl/scene_light.h"
 #include "ui/gl/scene_options.h"
 #include "ui/gl/surface_buffer.h"
+#include "ui/gl/surface_programs.h"
+#include "ui/gl/visible_pages.h"
 #include "ui/gl/wall_buffer.h"
 
 namespace proveout {
@@ -17,21 +23,38 @@ struct UploadCounts {
     std::size_t indices = 0; ///< in these lists and in the walls
     std::size_t bytes = 0;   ///< heights and indices
     bool whole = true;       ///< whether the frame is uploaded completely
-    bool fits = true;        ///< false: the driver has no memory for the heights
+    bool fits = true;        ///< false: the driver has no memory for it, or it is allowed too little
 };
 
-/// Draws the stock: top surface, walls, underside. All methods need the same context to be current.
+/// What a picture lacks.
+struct Coarseness {
+    bool coarser = false; ///< not every point of the grid in the view is used
+    bool pending = false; ///< another call makes it finer
+};
+
+/// Draws the stock: top surface, walls, underside. Its heights and triangles take no more bytes on the GPU
+/// than allowed: where all heights do not fit, the stock is drawn from coarser points, with exact vertices of
+/// the decimated meshes, and from all points in the view if these fit (PartialHeights). If the meshes do not
+/// fit either, the surface consists of the coarser points. All methods need the same context to be current.
 class SurfaceRenderer {
 public:
     /// `mostTexturePoints`: HeightTexture.
     explicit SurfaceRenderer(int mostTexturePoints);
 
-    [[nodiscard]] bool valid() const;
-    /// Whether the driver can hold the heights of that many points.
-    [[nodiscard]] bool fits(Gl& gl, const Grid& grid) const { return m_heights.fits(gl, grid); }
+    [[nodiscard]] bool valid() const { return m_programs.valid(); }
+    /// The bytes that are allowed from the next upload on; without a call, any number.
+    void setLimit(std::size_t bytes);
+    /// The bytes of heights and triangles that are held now.
+    [[nodiscard]] std::size_t bytes() const;
+    /// Whether the driver can hold the heights of that many points, all or in parts.
+    [[nodiscard]] bool fits(Gl& gl, const Grid& grid) const;
     /// The grid must fit. If the budget is too small, the next call continues; do not
     /// draw before the frame is complete.
     [[nodiscard]] UploadCounts upload(Gl& gl, const Frame& frame, const UploadBudget& budget = {});
+    /// Loads the points that a view of the uploaded frame needs, as far as the budget allows. Nothing to do
+    /// where all heights are held.
+    [[nodiscard]] Coarseness refine(Gl& gl, const Frame& frame, const View& view,
+                                    const UploadBudget& budget = {});
     /// A rectangle in plan, in stock coordinates (x, y, x, y), in which nothing is drawn except a pixel at
     /// its rim; empty: none. If it reaches the edge of the stock, its side there must be beyond that edge.
     void setCutOut(const glm::vec4& rectangle) { m_cutOut = rectangle; }
@@ -40,15 +63,29 @@ public:
     [[nodiscard]] std::size_t triangles(SurfaceBuffer::Part part) const { return m_surface.triangles(part); }
 
 private:
+    /// Whether all heights are to be held, decided for each grid and limit.
+    void choose(Gl& gl, const Grid& grid);
+    void holdParts(Gl& gl, const Grid& grid);
+    [[nodiscard]] UploadCounts uploadWhole(Gl& gl, const Frame& frame, const UploadBudget& budget);
+    [[nodiscard]] UploadCounts uploadParts(Gl& gl, const Frame& frame, const UploadBudget& budget);
+    [[nodiscard]] bool uploadSurface(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget,
+                                     UploadCounts& counts, int step = 1);
+    /// The surface of these regions with no mesh.
+    [[nodiscard]] const SurfaceSnapshot& bare(const SurfaceSnapshot& surface);
+    [[nodiscard]] SurfacePrograms& programs() { return m_partPrograms ? *m_partPrograms : m_programs; }
     void setStock(Gl& gl, ShaderProgram& program, const SceneOptions& options);
     void drawTop(Gl& gl, const StockView& view, const SceneOptions& options);
     void drawWalls(Gl& gl, const StockView& view, const SceneOptions& options);
 
-    // This program has no hole test in its fragment shader, so hidden fragments are dropped before shading.
-    ShaderProgram m_plain;
-    ShaderProgram m_holes;
-    ShaderProgram m_wire;
-    ShaderProgram m_walls;
+    SurfacePrograms m_programs;
+    std::optional<SurfacePrograms> m_partPrograms; ///< empty while all heights are held
+    std::size_t m_limit = std::numeric_limits<std::size_t>::max();
+    bool m_chosen = false;
+    PartialHeights m_parts;
+    GraphicsShares m_shares;
+    SurfaceSnapshot m_bare;
+    bool m_sampled = false; ///< the surface consists of the coarser points
+    int m_mostTexturePoints;
     HeightTexture m_heights;
     SurfaceBuffer m_surface;
     WallBuffer m_wallBuffer;

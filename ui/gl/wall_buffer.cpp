@@ -5,6 +5,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "ui/gl/coarse_points.h"
+
 namespace proveout {
 namespace {
 
@@ -33,20 +35,21 @@ std::vector<EdgeBorder> edgeBorders(const RegionGrid& grid) {
 }
 
 /// The lattice points of a border, also counter-clockwise.
-std::vector<std::uint32_t> polyline(const SurfaceSnapshot& surface, const EdgeBorder& edge) {
+std::vector<std::uint32_t> polyline(const SurfaceSnapshot& surface, const EdgeBorder& edge, int step) {
     std::vector<std::uint32_t> points;
     const IndexRect rect = surface.grid.borderPoints(edge.border);
     const bool alongX = rect.width() > 1;
     const auto add = [&](std::uint32_t offset) {
-        const int step = static_cast<int>(offset);
-        points.push_back(surface.grid.lattice(rect.i0 + (alongX ? step : 0), rect.j0 + (alongX ? 0 : step)));
+        const int along = static_cast<int>(offset);
+        points.push_back(
+            surface.grid.lattice(rect.i0 + (alongX ? along : 0), rect.j0 + (alongX ? 0 : along)));
     };
-    const auto last = static_cast<std::uint32_t>(std::max(rect.width(), rect.height()) - 1);
+    const int count = std::max(rect.width(), rect.height());
     if (const BorderLinePtr& line = surface.borders[edge.border])
         std::ranges::for_each(line->kept, add);
     else
-        for (std::uint32_t offset = 0; offset <= last; ++offset)
-            add(offset);
+        for (const int offset : sampledPoints(0, count, count, step).points)
+            add(static_cast<std::uint32_t>(offset));
     if (edge.side == Side::north || edge.side == Side::west)
         std::ranges::reverse(points);
     return points;
@@ -61,12 +64,12 @@ bool hasMergedMeshes(const SurfaceSnapshot& surface) {
 
 /// The border points at the edge of the map that belong to no triangle.
 std::unordered_set<std::uint32_t> omittedPoints(const SurfaceSnapshot& surface,
-                                                const std::vector<EdgeBorder>& borders) {
+                                                const std::vector<EdgeBorder>& borders, int step) {
     std::unordered_set<std::uint32_t> points;
     if (!hasMergedMeshes(surface))
         return points;
     for (const EdgeBorder& edge : borders) {
-        const std::vector<std::uint32_t> line = polyline(surface, edge);
+        const std::vector<std::uint32_t> line = polyline(surface, edge, step);
         points.insert(line.begin(), line.end());
     }
     for (std::size_t region = 0; region < surface.meshes.size(); ++region) {
@@ -76,7 +79,8 @@ std::unordered_set<std::uint32_t> omittedPoints(const SurfaceSnapshot& surface,
                     points.erase(point);
         else // drawn from the z-map, which uses all border points
             for (const Side side : kSides)
-                for (const std::uint32_t point : polyline(surface, {side, surface.grid.border(region, side)}))
+                for (const std::uint32_t point :
+                     polyline(surface, {side, surface.grid.border(region, side)}, step))
                     points.erase(point);
     }
     return points;
@@ -84,16 +88,16 @@ std::unordered_set<std::uint32_t> omittedPoints(const SurfaceSnapshot& surface,
 
 } // namespace
 
-std::vector<WallLine> wallLines(const SurfaceSnapshot& surface) {
+std::vector<WallLine> wallLines(const SurfaceSnapshot& surface, int step) {
     const std::vector<EdgeBorder> borders = edgeBorders(surface.grid);
-    const std::unordered_set<std::uint32_t> omitted = omittedPoints(surface, borders);
+    const std::unordered_set<std::uint32_t> omitted = omittedPoints(surface, borders, step);
     std::vector<WallLine> lines;
     lines.reserve(borders.size());
     std::size_t open = 0; // the line whose last point is still missing
     for (const EdgeBorder& edge : borders) {
         const std::size_t own = lines.size();
         lines.push_back({edge.side, {}});
-        std::vector<std::uint32_t> points = polyline(surface, edge);
+        std::vector<std::uint32_t> points = polyline(surface, edge, step);
         points.pop_back(); // it is the first point of the next border
         for (const std::uint32_t point : points) {
             if (omitted.contains(point))
@@ -122,31 +126,48 @@ WallMesh wallMesh(const RegionGrid& grid, const WallLine& line) {
     return mesh;
 }
 
-void WallBuffer::write(Gl& gl, Piece& piece, WallLine line) {
+bool WallBuffer::write(Gl& gl, Piece& piece, WallLine line) {
     piece.line = std::move(line);
     WallMesh mesh = wallMesh(m_grid, piece.line);
     piece.wall = static_cast<std::uint32_t>(mesh.wall.size());
     piece.underside = static_cast<std::uint32_t>(mesh.underside.size());
     mesh.wall.insert(mesh.wall.end(), mesh.underside.begin(), mesh.underside.end());
-    if (!mesh.wall.empty())
-        piece.slot = m_indices.write(gl, piece.slot, mesh.wall, IndexWidth::bits32);
+    if (mesh.wall.empty())
+        return true;
+    const std::optional<IndexBuffer::Slot> slot =
+        m_indices.write(gl, piece.slot, mesh.wall, IndexWidth::bits32);
+    piece.slot = slot.value_or(IndexBuffer::Slot{});
+    return slot.has_value();
 }
 
-std::size_t WallBuffer::update(Gl& gl, const SurfaceSnapshot& surface) {
-    std::vector<WallLine> lines = wallLines(surface);
-    if (m_pieces.size() != lines.size() || !(surface.grid == m_grid)) {
-        m_grid = surface.grid;
-        m_indices.clear();
-        m_pieces.assign(lines.size(), {});
-    }
+std::optional<std::size_t> WallBuffer::writeChanged(Gl& gl, const std::vector<WallLine>& lines) {
     std::size_t uploaded = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         Piece& piece = m_pieces[k];
         if (piece.line.side == lines[k].side && piece.line.points == lines[k].points)
             continue;
-        write(gl, piece, std::move(lines[k]));
+        if (!write(gl, piece, lines[k]))
+            return {};
         uploaded += piece.wall + piece.underside;
     }
+    return uploaded;
+}
+
+std::optional<std::size_t> WallBuffer::update(Gl& gl, const SurfaceSnapshot& surface, int step) {
+    const std::vector<WallLine> lines = wallLines(surface, step);
+    if (m_pieces.size() != lines.size() || !(surface.grid == m_grid)) {
+        m_grid = surface.grid;
+        m_indices.clear();
+        m_pieces.assign(lines.size(), {});
+    }
+    std::optional<std::size_t> uploaded = writeChanged(gl, lines);
+    if (!uploaded) { // unless the room is only in pieces
+        m_indices.restart(gl);
+        m_pieces.assign(lines.size(), {});
+        uploaded = writeChanged(gl, lines);
+    }
+    if (!uploaded)
+        m_pieces.clear();
     collect();
     return uploaded;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/decimation/surface/surface.h"
@@ -18,7 +20,8 @@ struct WallLine {
 };
 /// One line per border at the edge. They match the triangles of the surface vertex by vertex, because a
 /// merged mesh may have removed points of the borders.
-[[nodiscard]] std::vector<WallLine> wallLines(const SurfaceSnapshot& surface);
+/// `step`: SurfaceBuffer::update().
+[[nodiscard]] std::vector<WallLine> wallLines(const SurfaceSnapshot& surface, int step = 1);
 
 /// The outside wall below such a line, and the part of the underside next to it, as indices into the lattice
 /// (index + number of points: the point on the floor).
@@ -36,8 +39,11 @@ public:
     static constexpr std::size_t kFaces = 5;
     static constexpr std::size_t kUnderside = 4;
 
-    /// Returns the number of indices uploaded.
-    [[nodiscard]] std::size_t update(Gl& gl, const SurfaceSnapshot& surface);
+    /// IndexBuffer::setLimit().
+    void setLimit(std::size_t bytes) { m_indices.setLimit(bytes); }
+    /// Returns the number of indices uploaded; nothing if the limit is too small.
+    [[nodiscard]] std::optional<std::size_t> update(Gl& gl, const SurfaceSnapshot& surface, int step = 1);
+    [[nodiscard]] std::size_t bytes() const { return m_indices.bytes(); } ///< held now
     void draw(Gl& gl, std::size_t face);
     void release(Gl& gl);
 
@@ -53,7 +59,9 @@ private:
         std::vector<const void*> offsets;
     };
 
-    void write(Gl& gl, Piece& piece, WallLine line);
+    /// False if there is no room.
+    [[nodiscard]] bool write(Gl& gl, Piece& piece, WallLine line);
+    [[nodiscard]] std::optional<std::size_t> writeChanged(Gl& gl, const std::vector<WallLine>& lines);
     void collect();
 
     RegionGrid m_grid;

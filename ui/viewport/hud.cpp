@@ -142,6 +142,16 @@ void paintLegend(QPainter& painter, const QRect& area, const SceneOptions& optio
     }
 }
 
+void paintRemark(QPainter& painter, const QRect& area, const QString& sentence, const QPalette& palette) {
+    const int margin = kMargin + kPadding;
+    const QRect inner = area.adjusted(area.width() / 2, margin, -margin, -margin);
+    constexpr int kPlace = Qt::AlignRight | Qt::AlignBottom | Qt::TextWordWrap;
+    const QRect words = painter.fontMetrics().boundingRect(inner, kPlace, sentence);
+    paintPlate(painter, words.adjusted(-kPadding, -kPadding, kPadding, kPadding), palette);
+    painter.setPen(palette.color(QPalette::Text));
+    painter.drawText(inner, kPlace, sentence);
+}
+
 void paintNotice(QPainter& painter, const QRect& area, const QString& sentence, const QPalette& palette) {
     const QRect inner = area.adjusted(4 * kMargin, 0, -4 * kMargin, 0);
     const QRect words =

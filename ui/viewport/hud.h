@@ -29,6 +29,9 @@ void paintAxes(QPainter& painter, const QRect& area, const View& view, const QCo
 void paintLegend(QPainter& painter, const QRect& area, const SceneOptions& options,
                  const LegendFigures& figures, const QPalette& palette);
 
+/// A message in the lower right corner of `area`, about a picture that is usable all the same.
+void paintRemark(QPainter& painter, const QRect& area, const QString& text, const QPalette& palette);
+
 /// A message in the middle of `area`.
 void paintNotice(QPainter& painter, const QRect& area, const QString& text, const QPalette& palette);
 

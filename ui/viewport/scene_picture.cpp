@@ -14,7 +14,8 @@ namespace proveout {
 namespace {
 
 constexpr int kRestMilliseconds = 250;
-/// The longest time for which one upload of a detail region may block the UI thread.
+/// The longest time for which one upload of a detail region, or of points in the view, may block the UI
+/// thread.
 constexpr std::chrono::milliseconds kUploadAtOnce{25};
 /// In software, an antialiased image takes about this many times as long as a plain one …
 constexpr double kSmoothCost = 4;
@@ -49,6 +50,15 @@ void ScenePicture::initialize() {
     // is called again for the new one.
     connect(m_widget.context(), &QOpenGLContext::aboutToBeDestroyed, this, &ScenePicture::release);
     m_renderer = SceneRenderer::create();
+    if (m_renderer != nullptr)
+        m_renderer->setMemory(m_memory);
+}
+
+void ScenePicture::setMemory(std::size_t bytes) {
+    m_memory = bytes;
+    if (m_renderer != nullptr)
+        m_renderer->setMemory(bytes);
+    repaintSoon();
 }
 
 void ScenePicture::release() {
@@ -72,7 +82,7 @@ ScenePicture::Seconds ScenePicture::paint(const View& view, const FramePtr& fram
     Seconds took;
     QElapsedTimer timer;
     timer.start();
-    upload(frame);
+    upload(view, frame);
     // Waiting for the GPU costs nothing at 30 frames per second and makes the measured times reliable.
     m_renderer->finish();
     took.upload = seconds(timer);
@@ -90,11 +100,13 @@ ScenePicture::Seconds ScenePicture::paint(const View& view, const FramePtr& fram
     return took;
 }
 
-void ScenePicture::upload(const FramePtr& frame) {
+void ScenePicture::upload(const View& view, const FramePtr& frame) {
+    m_view = view;
     m_uploaded = m_renderer->upload(frame);
     m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
     if (!m_look.box())
         m_renderer->releaseBox();
+    m_renderer->refine(view, UploadBudget(kUploadAtOnce));
     if (showsHiddenPath())
         m_renderer->advancePath(UploadBudget(kUploadAtOnce));
 }
@@ -125,6 +137,7 @@ void ScenePicture::continueUploading() {
         return;
     m_widget.makeCurrent();
     m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
+    m_renderer->refine(m_view, UploadBudget(kUploadAtOnce));
     m_renderer->finish();
     m_widget.doneCurrent();
     if (showsHiddenPath())
@@ -141,7 +154,8 @@ bool ScenePicture::showsHiddenPath() const {
 
 /// Whether work is pending that the image needs and that is done in slices.
 bool ScenePicture::workPending() const {
-    return m_renderer->boxPending() || (showsHiddenPath() && m_renderer->pathPending());
+    return m_renderer->boxPending() || m_renderer->coarseness().pending ||
+           (showsHiddenPath() && m_renderer->pathPending());
 }
 
 } // namespace proveout

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 
 #include <QObject>
@@ -41,6 +43,8 @@ public:
     void release();
     /// Call it in paintGL(). `frame` may be null.
     Seconds paint(const View& view, const FramePtr& frame);
+    /// The bytes of graphics memory that heights and triangles may take; without a call, any number.
+    void setMemory(std::size_t bytes);
     /// Call it when the content has changed.
     void repaintSoon();
     /// The widget was resized: its next image is a plain one.
@@ -52,13 +56,20 @@ public:
     [[nodiscard]] bool boxFits() const { return m_boxFits; }
     /// Whether part of the detail region is not uploaded yet.
     [[nodiscard]] bool boxPending() const { return m_renderer->boxPending(); }
+    /// Whether the last image does not use every point of the grid in the view, because the memory is
+    /// limited.
+    [[nodiscard]] bool isCoarser() const { return m_renderer != nullptr && m_renderer->coarseness().coarser; }
+    /// The bytes of graphics memory that heights and triangles take.
+    [[nodiscard]] std::size_t memoryHeld() const {
+        return m_renderer != nullptr ? m_renderer->memoryHeld() : 0;
+    }
     /// The uploads of the last image.
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
     /// Whether no better image of the current content is pending.
     [[nodiscard]] bool atRest() const { return !m_rest.isActive(); }
 
 private:
-    void upload(const FramePtr& frame);
+    void upload(const View& view, const FramePtr& frame);
     void draw(const View& view);
     void drawSmooth(const View& view);
     void continueUploading();
@@ -71,9 +82,11 @@ private:
     bool m_software;
     std::unique_ptr<SceneRenderer> m_renderer;
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;
+    std::size_t m_memory = std::numeric_limits<std::size_t>::max();
+    View m_view; ///< of the last image
     UploadCounts m_uploaded;
     bool m_boxFits = true;
-    QTimer m_uploading;    ///< runs while a detail region or a long toolpath is prepared
+    QTimer m_uploading;    ///< runs while a detail region, points in the view or a long toolpath is prepared
     QTimer m_rest;         ///< starts again whenever the image changes
     bool m_smooth = false; ///< draw antialiased, although that is slow in software
     double m_plainSeconds = 0;

@@ -26,6 +26,16 @@ void paintOmissions(QPainter& painter, const QRect& area, const OverlayContent& 
                     content.palette);
 }
 
+/// What the picture lacks because graphics memory is limited.
+void paintCoarseness(QPainter& painter, const QRect& area, const OverlayContent& content) {
+    if (content.picture.isCoarser())
+        paintRemark(painter, area,
+                    QCoreApplication::translate(
+                        "Viewport", "The picture is coarser than the grid. Zoom in, or allow more "
+                                    "graphics memory."),
+                    content.palette);
+}
+
 } // namespace
 
 void paintOverlay(QPainter& painter, const QRect& area, const View& view, const OverlayContent& content) {
@@ -39,6 +49,7 @@ void paintOverlay(QPainter& painter, const QRect& area, const View& view, const 
     paintAxes(painter, area, view, content.palette.color(QPalette::WindowText));
     if (content.frame == nullptr)
         return;
+    paintCoarseness(painter, area, content);
     paintOmissions(painter, area, content);
     const SurfaceSnapshot& surface = content.frame->surface;
     if (content.legend)

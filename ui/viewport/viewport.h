@@ -45,6 +45,8 @@ public:
     [[nodiscard]] bool placeLabelShown() const;
     void setPlaceLabelShown(bool shown);
 
+    /// What is drawn, and the graphics memory for it.
+    [[nodiscard]] ScenePicture& picture() { return *m_picture; }
     void setStandardView(StandardView view);
     void setPerspective(bool perspective);
     /// Fits the stock into the view, or the toolpath if there is no stock.

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/window_menus.h"
 
+#include <utility>
+
 #include <QDockWidget>
 #include <QMenuBar>
 
 #include "ui/editor/editor_panel.h"
 #include "ui/look/resource_paths.h"
 #include "ui/session/playback_commands.h"
+#include "ui/viewport/viewport.h"
 #include "ui/window/appearance_menus.h"
-#include "ui/window/checkpoint_menu.h"
 #include "ui/window/layout_menu.h"
 #include "ui/window/main_window.h"
+#include "ui/window/memory_menu.h"
 #include "ui/window/panel_docks.h"
 #include "ui/window/recent_menu.h"
 #include "ui/window/undo_commands.h"
@@ -96,9 +99,26 @@ void WindowMenus::addSimulate(const PlaybackCommands& playback) {
     QMenu& menu = add(QT_TRANSLATE_NOOP("Menus", "&Simulate"), listOf(playback.actions().all()));
     menu.addSeparator();
     menu.addAction(&m_window.editor().followAction());
-    auto* checkpoints = new CheckpointMenu(m_window.session(), &m_window);
-    menu.addMenu(checkpoints);
-    addTitled(*checkpoints, QT_TRANSLATE_NOOP("Menus", "Rewind &Memory"));
+    addMemory(menu);
+}
+
+void WindowMenus::addMemory(QMenu& menu) {
+    const auto add = [&](const char* name, const char* title, const char* key, MemoryMenu::Apply apply) {
+        auto* choice = new MemoryMenu(QLatin1String(key), std::move(apply), &m_window);
+        choice->setObjectName(QLatin1String(name));
+        menu.addMenu(choice);
+        addTitled(*choice, title);
+    };
+    add("checkpoint-menu", QT_TRANSLATE_NOOP("Menus", "Rewind &Memory"), "simulation/checkpoint-megabytes",
+        [&playback = m_window.session().playback()](std::size_t bytes) {
+            playback.setCheckpointBudget(bytes);
+        });
+    // There is no such view where OpenGL is missing.
+    add("graphics-memory-menu", QT_TRANSLATE_NOOP("Menus", "&Graphics Memory"), "view/graphics-megabytes",
+        [view = qobject_cast<Viewport*>(&m_window.viewport())](std::size_t bytes) {
+            if (view != nullptr)
+                view->picture().setMemory(bytes);
+        });
 }
 
 void WindowMenus::addMesh() {

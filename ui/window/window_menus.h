@@ -40,6 +40,7 @@ private:
     void addEdit(const UndoCommands& undo);
     void addView(const PlaybackCommands& playback);
     void addSimulate(const PlaybackCommands& playback);
+    void addMemory(QMenu& menu);
     void addMesh();
     void addWindow();
     void addHelp();

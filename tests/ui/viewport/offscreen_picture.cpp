@@ -38,6 +38,7 @@ QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const Sce
     m_uploaded = m_renderer->upload(frame);
     if (!m_renderer->uploadBox(box, ofBox))
         qWarning("the box was not taken");
+    m_renderer->refine(view);
     m_renderer->draw(view, options);
     return target.toImage().convertToFormat(QImage::Format_RGB32);
 }

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures within a limit of graphics memory, compared with those without one. The backdrop is magenta.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <random>
+
+#include <QTest>
+
+#include "tests/random_seed.h"
+#include "tests/ui/viewport/frame_builder.h"
+#include "tests/ui/viewport/offscreen_picture.h"
+#include "ui/viewport/camera.h"
+
+using namespace proveout;
+
+namespace {
+
+constexpr std::size_t kLimit = 1'000'000; // of 2.8 million bytes of heights
+const StockBox kStock{{0, 0, 0}, 100, 70, 20};
+constexpr double kSpacing = 0.1;
+
+Box3 stockBox() {
+    Box3 box;
+    box.add(Vec3(0, 0, -20));
+    box.add(Vec3(100, 70, 0));
+    return box;
+}
+
+/// Hills, a pocket with upright walls, a slot through the stock, and a narrow rib.
+double part(double x, double y) {
+    if (std::abs(x - 70) < 4 && std::abs(y - 35) < 20)
+        return -30;
+    if (std::hypot(x - 30, y - 35) < 15)
+        return std::abs(y - 35) < 0.5 ? -3 : -12;
+    return -2 + 1.5 * std::sin(x * 0.2) * std::cos(y * 0.17);
+}
+
+FrameBuilder cutPart(const DecimationParameters& parameters = {}) {
+    FrameBuilder builder(kStock, kSpacing, parameters);
+    builder.cutAll(part);
+    builder.decimate();
+    // Half of the stock is drawn from the z-map.
+    builder.cut({0, 0, 500, 701}, [](double x, double y) { return part(x, y) - 0.2; });
+    return builder;
+}
+
+SceneOptions testOptions() {
+    SceneOptions options;
+    options.colours.backdropTop = options.colours.backdropBottom = {1, 0, 1};
+    options.path = PathShown::none;
+    return options;
+}
+
+Camera cameraAt(StandardView view, bool perspective, int width = 480, int height = 300) {
+    Camera camera;
+    camera.setPicture(width, height, 1);
+    camera.setPerspective(perspective);
+    camera.setStandardView(view);
+    camera.fit(stockBox());
+    return camera;
+}
+
+struct Difference {
+    int largest = 0; ///< of a channel, of 255
+    double mean = 0;
+    double strong = 0; ///< the fraction of pixels that differ by more than 24
+};
+
+Difference differenceOf(const QImage& a, const QImage& b) {
+    Difference difference;
+    double sum = 0;
+    int strong = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y);
+            const QRgb q = b.pixel(x, y);
+            const int most = std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                                       std::abs(qBlue(p) - qBlue(q))});
+            difference.largest = std::max(difference.largest, most);
+            sum += most;
+            strong += most > 24 ? 1 : 0;
+        }
+    const double pixels = static_cast<double>(a.width()) * a.height();
+    difference.mean = sum / pixels;
+    difference.strong = strong / pixels;
+    return difference;
+}
+
+} // namespace
+
+class LimitedPictureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void cleanupTestCase();
+    void smallGridsAreHeldWhole();
+    void farViewIsNearlyThePictureOfAllPoints();
+    void nearViewIsThePictureOfAllPoints();
+    void pagesArriveInSlices();
+    void theLimitHoldsAtAnyMoment();
+    void meshesThatDoNotFitAreLeftOut();
+    void trianglesThatOutgrowTheLimitLeaveParts();
+    void aDetailRegionCountsToo();
+
+private:
+    [[nodiscard]] QImage limited(const FramePtr& frame, const View& view) {
+        return m_limited->draw(frame, view, testOptions());
+    }
+    [[nodiscard]] QImage unlimited(const FramePtr& frame, const View& view) {
+        return m_unlimited->draw(frame, view, testOptions());
+    }
+    [[nodiscard]] bool coarser() const { return m_limited->renderer().coarseness().coarser; }
+    [[nodiscard]] std::size_t held() const { return m_limited->renderer().memoryHeld(); }
+
+    std::uint32_t m_seed = randomSeed();
+    std::unique_ptr<OffscreenPicture> m_unlimited;
+    std::unique_ptr<OffscreenPicture> m_limited;
+};
+
+void LimitedPictureTest::initTestCase() {
+    qInfo("seed %u", m_seed);
+    m_unlimited = std::make_unique<OffscreenPicture>();
+    m_limited = std::make_unique<OffscreenPicture>();
+    if (!m_limited->usable())
+        QSKIP("no OpenGL 3.3 here");
+    m_limited->renderer().setMemory(kLimit);
+}
+
+void LimitedPictureTest::cleanupTestCase() {
+    m_limited.reset();
+    m_unlimited.reset();
+}
+
+void LimitedPictureTest::smallGridsAreHeldWhole() {
+    FrameBuilder builder(kStock, 0.5);
+    builder.cutAll(part);
+    builder.decimate();
+    const View view = cameraAt(StandardView::iso, true).view(stockBox());
+    QCOMPARE(limited(builder.frame(), view), unlimited(builder.frame(), view));
+    QVERIFY(!coarser());
+    QCOMPARE(held(), m_unlimited->renderer().memoryHeld());
+}
+
+void LimitedPictureTest::farViewIsNearlyThePictureOfAllPoints() {
+    FrameBuilder builder = cutPart();
+    for (const bool perspective : {false, true})
+        for (const StandardView from : {StandardView::iso, StandardView::top, StandardView::front}) {
+            const View view = cameraAt(from, perspective, 240, 150).view(stockBox());
+            const Difference difference =
+                differenceOf(limited(builder.frame(), view), unlimited(builder.frame(), view));
+            QVERIFY(coarser());
+            QVERIFY(held() <= kLimit);
+            QVERIFY2(
+                difference.mean < 3 && difference.strong < 0.03,
+                qPrintable(QStringLiteral("mean %1, strong %2").arg(difference.mean).arg(difference.strong)));
+        }
+}
+
+void LimitedPictureTest::nearViewIsThePictureOfAllPoints() {
+    std::mt19937 random(m_seed);
+    FrameBuilder builder = cutPart();
+    for (int round = 0; round < 24; ++round) {
+        const std::array<StandardView, 3> from{StandardView::iso, StandardView::top, StandardView::bottom};
+        // In perspective the eye would be inside the stock, from that side.
+        const bool perspective = round % 3 != 0 && round % 2 == 0;
+        Camera camera = cameraAt(from[static_cast<std::size_t>(round) % 3], perspective);
+        camera.zoom(0.06, {static_cast<double>(random() % 100), static_cast<double>(random() % 70), -5});
+        const View view = camera.view(stockBox());
+        const Difference difference =
+            differenceOf(limited(builder.frame(), view), unlimited(builder.frame(), view));
+        QVERIFY(!coarser());
+        QVERIFY(held() <= kLimit);
+        QVERIFY2(difference.largest <= 2, qPrintable(QString::number(difference.largest))); // rounding
+    }
+}
+
+void LimitedPictureTest::pagesArriveInSlices() {
+    FrameBuilder builder = cutPart();
+    static_cast<void>(limited(builder.frame(), cameraAt(StandardView::top, false).view(stockBox())));
+    Camera camera = cameraAt(StandardView::top, false);
+    camera.zoom(0.12, {33, 35, -5});
+    const View view = camera.view(stockBox());
+    SceneRenderer& renderer = m_limited->renderer();
+    renderer.refine(view, UploadBudget(std::chrono::seconds(0)));
+    QVERIFY(renderer.coarseness().pending && renderer.coarseness().coarser);
+    renderer.refine(view);
+    QVERIFY(!renderer.coarseness().pending && !renderer.coarseness().coarser);
+}
+
+void LimitedPictureTest::theLimitHoldsAtAnyMoment() {
+    std::mt19937 random(m_seed);
+    FrameBuilder builder = cutPart();
+    for (int round = 0; round < 60; ++round) {
+        const int i = static_cast<int>(random() % 900);
+        const int j = static_cast<int>(random() % 600);
+        builder.cut({i, j, i + 60, j + 60}, [&](double x, double y) { return part(x, y) - 0.02 * round; });
+        if (round % 5 == 0)
+            builder.decimate();
+        Camera camera =
+            cameraAt(static_cast<StandardView>(random() % kStandardViews), round % 2 == 0,
+                     100 + static_cast<int>(random() % 500), 100 + static_cast<int>(random() % 300));
+        const double zoom = 0.05 + 0.001 * static_cast<double>(random() % 950);
+        camera.zoom(zoom, {static_cast<double>(random() % 100), static_cast<double>(random() % 70), -5});
+        const View view = camera.view(stockBox());
+        const QImage picture = limited(builder.frame(), view);
+        QVERIFY2(held() <= kLimit, qPrintable(QString::number(held())));
+        if (!coarser())
+            QVERIFY(differenceOf(picture, unlimited(builder.frame(), view)).largest <= 2);
+    }
+}
+
+void LimitedPictureTest::meshesThatDoNotFitAreLeftOut() {
+    DecimationParameters fine;
+    fine.allowance = 1e-5; // keeps nearly every vertex
+    FrameBuilder builder(kStock, kSpacing, fine);
+    builder.cutAll(part);
+    builder.decimate();
+    QVERIFY(builder.frame()->surface.faces * 12 > kLimit);
+    const View view = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    const Difference difference =
+        differenceOf(limited(builder.frame(), view), unlimited(builder.frame(), view));
+    QVERIFY(coarser());
+    QVERIFY2(held() <= kLimit, qPrintable(QString::number(held())));
+    QVERIFY2(difference.mean < 3 && difference.strong < 0.03,
+             qPrintable(QStringLiteral("mean %1, strong %2").arg(difference.mean).arg(difference.strong)));
+}
+
+void LimitedPictureTest::trianglesThatOutgrowTheLimitLeaveParts() {
+    DecimationParameters fine;
+    fine.allowance = 1e-5;
+    FrameBuilder builder(kStock, 0.2, fine); // 0.7 million bytes of heights
+    builder.decimate();
+    const View view = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    static_cast<void>(limited(builder.frame(), view));
+    QVERIFY(!coarser());
+    for (int j = 0; j < 350; j += 50) {
+        builder.cut({0, j, 501, j + 51}, part);
+        builder.decimate();
+        const QImage picture = limited(builder.frame(), view);
+        QVERIFY2(held() <= kLimit, qPrintable(QString::number(held())));
+        QVERIFY(differenceOf(picture, unlimited(builder.frame(), view)).mean < 3);
+    }
+    QVERIFY(coarser());
+}
+
+void LimitedPictureTest::aDetailRegionCountsToo() {
+    FrameBuilder builder = cutPart();
+    FrameBuilder box({{40, 20, 0}, 20, 20, 20}, 0.02);
+    box.cutAll(part);
+    const View view = cameraAt(StandardView::iso, true).view(stockBox());
+    const QImage without = limited(builder.frame(), view);
+    const std::size_t heldWithout = held();
+    for (const FramePtr& shown : {box.frame(), FramePtr(), box.frame()}) {
+        static_cast<void>(m_limited->draw(builder.frame(), view, testOptions(), shown));
+        QVERIFY2(held() <= kLimit, qPrintable(QString::number(held())));
+    }
+    QVERIFY(held() > kLimit / 2);
+    m_limited->renderer().releaseBox();
+    QCOMPARE(limited(builder.frame(), view), without);
+    QCOMPARE(held(), heldWithout);
+}
+
+QTEST_MAIN(LimitedPictureTest)
+#include "limited_picture_test.moc"
