@@ -130,13 +130,13 @@ TEST_F(CliMemory, UnderAnAddressLimitTheFigureIsReportedAndWhatWouldFit) {
 
 TEST_F(CliMemory, ASurfaceThatDoesNotFitEndsTheRunWithTheOtherFiles) {
     write("p.nc", "G21 G90\nT1 M6\nG0 X20 Y20 Z5\nG1 Z-9 F100\nX30 Y22\nG0 Z5\nX5\nG1 Z-12\nG0 Z5\nM30\n");
-    const auto done = run("simulate p.nc --json --stock 40x30x10 --grid 0.005 --allowance 0.000002 --stl "
-                          "s.stl --zmap z.npy --save-stock s.pvstock" +
+    const auto done = run("simulate p.nc --json --stock 40x30x10 --grid 0.005 --allowance 0.000002 "
+                          "--export s.ply --zmap z.npy --save-stock s.pvstock" +
                               kTool,
                           addressLimit(450));
     EXPECT_EQ(done.exitCode, 3);
     EXPECT_TRUE(done.reports("", "surface-needs-too-much-memory")) << done.err;
-    EXPECT_FALSE(exists("s.stl"));
+    EXPECT_FALSE(exists("s.ply"));
     EXPECT_TRUE(exists("z.npy"));
     EXPECT_TRUE(exists("s.pvstock"));
 }
