@@ -107,9 +107,13 @@ double mapBytes(const Grid& grid, const DecimationParameters& parameters, const 
 
 double surfaceBytes(const Grid& grid, std::size_t faces, const MapOutputs& outputs) {
     constexpr double kFacesPerPoint = 2; // without decimation
-    constexpr double kNumbers = 4.2;     // per point: its vertex of the solid, and whether it is at a hole
+    constexpr double kMarks = 0.25;      // per point: of LatticeNumbers, and whether it is at a hole
+    constexpr double kBlock = 272;       // of LatticeNumbers, for 64 points, if one of them is a vertex
+    const double points = pointsOf(grid);
+    const double vertices = static_cast<double>(faces) / kFacesPerPoint;
+    const double numbers = kMarks * points + kBlock * std::min(points / 64, vertices);
     const double perFace = (outputs.solid ? kSolid : kMeasured) / kFacesPerPoint;
-    return static_cast<double>(faces) * perFace + (outputs.solid ? kNumbers * pointsOf(grid) : 0);
+    return static_cast<double>(faces) * perFace + (outputs.solid ? numbers : 0);
 }
 
 double expectedMapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {
