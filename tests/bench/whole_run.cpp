@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// whole_run [RUNS [WORKLOAD…]]: what the real command line takes for whole programs, beside the sum of the
+// whole_run [RUNS [PART…]]: what the real command line takes for whole programs, beside the sum of the
 // kernels that the work consists of, measured in this process and in the same run, and the start of the
-// program. Fails if a run takes more than 1.5 times as long.
+// program; how time and memory grow; and what the real window takes for the same, if there is a display. PART
+// is a workload, "growth" or "window". Fails if a run takes more than 1.5 times as long as its kernels, grows
+// faster than in proportion, or holds up the events of the window.
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
@@ -22,8 +23,10 @@
 #include "core/nc/run/interpreter.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/simulation.h"
-#include "tests/app/measured_run.h"
 #include "tests/bench/bench_folder.h"
+#include "tests/bench/growth_table.h"
+#include "tests/bench/product_run.h"
+#include "tests/bench/window_table.h"
 #include "tests/bench/workloads.h"
 
 namespace proveout::bench {
@@ -32,8 +35,6 @@ namespace {
 constexpr double kMostOfKernels = 1.5;
 constexpr double kMegabyte = 1e6;
 
-/// What a run does: cut for the heights alone, record every block as well, or write the solid as STL.
-enum class Output : std::uint8_t { none, records, solid };
 constexpr const char* kOutputNames[]{"", "records", "STL"};
 
 struct Case {
@@ -50,10 +51,6 @@ constexpr Case kCases[]{
     {"panel", 0.1, Output::none, 2},  {"panel", 0.1, Output::solid, 2},  {"die", 0.1, Output::records, 2},
     {"panel", 1, Output::records, 2},
 };
-
-std::string toolOf(const Workload& workload) {
-    return fmt::format("ball:d={}", workload.diameter);
-}
 
 /// The seconds of one run of the kernels.
 struct Kernels {
@@ -112,29 +109,6 @@ Kernels runKernels(const Case& one, const Workload& workload, const std::string&
     return seconds;
 }
 
-MeasuredRun runProduct(const Case& one, const Workload& workload, const std::filesystem::path& folder) {
-    std::vector<std::string> words{
-        PROVEOUT_CLI,
-        "simulate",
-        fmt::format("{}.nc", workload.name),
-        "--stock",
-        fmt::format("{}x{}x40", workload.width, workload.depth),
-        "--grid",
-        fmt::format("{}", one.spacing),
-        "--tool",
-        "1=" + toolOf(workload),
-        "--threads",
-        fmt::format("{}", one.threads),
-    };
-    if (one.output == Output::solid)
-        words.insert(words.end(), {"--stl", "product.stl"});
-    else
-        words.insert(words.end(), {"--method", "none"});
-    if (one.output == Output::records)
-        words.emplace_back("--json");
-    return runMeasured(words, folder);
-}
-
 template<class Value, class Order>
 const Value& medianOf(std::vector<Value>& values, Order by) {
     std::ranges::sort(values, {}, by);
@@ -145,11 +119,11 @@ const Value& medianOf(std::vector<Value>& values, Order by) {
 bool measure(const Case& one, const Workload& workload, int runs) {
     const BenchFolder folder;
     const std::string text = programOf(workload);
-    std::ofstream(folder.path() / fmt::format("{}.nc", workload.name), std::ios::binary) << text;
+    std::ofstream(folder.path() / fileOf(workload), std::ios::binary) << text;
     std::vector<MeasuredRun> products;
     std::vector<Kernels> kernels;
     for (int run = 0; run < runs; ++run) {
-        products.push_back(runProduct(one, workload, folder.path()));
+        products.push_back(runProduct({one.spacing, one.output, one.threads}, workload, folder.path()));
         kernels.push_back(runKernels(one, workload, text, folder.path()));
     }
     const MeasuredRun& product = medianOf(products, &MeasuredRun::seconds);
@@ -174,15 +148,20 @@ int main(int argc, char** argv) {
     using namespace proveout::bench;
     const int runs = argc > 1 ? std::stoi(argv[1]) : 5;
     const std::vector<std::string_view> names(argv + std::min(argc, 2), argv + argc);
+    const auto isWanted = [&names](std::string_view part) {
+        return names.empty() || std::ranges::find(names, part) != names.end();
+    };
     fmt::print(
         "| program | grid | | threads | product s | its CPU s | its peak MB | start | interpret | records | "
         "heights | "
         "solid | product / kernels |\n|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
     bool fine = true;
-    for (const Case& one : kCases) {
-        const auto workload = std::ranges::find(workloads(), one.workload, &Workload::name);
-        if (names.empty() || std::ranges::find(names, one.workload) != names.end())
-            fine = measure(one, *workload, runs) && fine;
-    }
+    for (const Case& one : kCases)
+        if (isWanted(one.workload))
+            fine = measure(one, *std::ranges::find(workloads(), one.workload, &Workload::name), runs) && fine;
+    if (isWanted("growth"))
+        fine = printGrowth(workloads().back(), runs) && fine;
+    if (isWanted("window"))
+        fine = printWindow(runs) && fine;
     return fine ? 0 : 1;
 }
