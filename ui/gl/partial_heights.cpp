@@ -10,6 +10,7 @@ namespace proveout {
 namespace {
 
 constexpr std::int16_t kNoLayer = -1;
+constexpr GLint kUsualAlignment = 4;
 
 void makeTexture(Gl& gl, GLenum target, GLuint& texture, GLint filter) {
     if (texture == 0)
@@ -41,6 +42,7 @@ bool PartialHeights::restart(Gl& gl, const ZMapSnapshot& moment, const GraphicsS
     gl.glPixelStorei(GL_UNPACK_ALIGNMENT, sizeof(std::int16_t));
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R16I, m_pages.columns, m_pages.rows, 0, GL_RED_INTEGER, GL_SHORT,
                     none.data());
+    gl.glPixelStorei(GL_UNPACK_ALIGNMENT, kUsualAlignment); // QPainter uploads its letters with it
     makeTexture(gl, GL_TEXTURE_2D_ARRAY, m_held, GL_LINEAR);
     if (capacity() > 0)
         gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y,
@@ -130,7 +132,6 @@ HeightTexture::Uploaded PartialHeights::update(Gl& gl, const ZMapSnapshot& momen
 void PartialHeights::setLayer(Gl& gl, int page, int layer) {
     const auto value = static_cast<std::int16_t>(layer);
     gl.glBindTexture(GL_TEXTURE_2D, m_layers);
-    gl.glPixelStorei(GL_UNPACK_ALIGNMENT, sizeof(value));
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, page % m_pages.columns, page / m_pages.columns, 1, 1, GL_RED_INTEGER,
                        GL_SHORT, &value);
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include <QTest>
 
@@ -102,6 +103,7 @@ private slots:
     void farViewIsNearlyThePictureOfAllPoints();
     void nearViewIsThePictureOfAllPoints();
     void pagesArriveInSlices();
+    void uploadsLeaveTheStateOfPainters();
     void theLimitHoldsAtAnyMoment();
     void meshesThatDoNotFitAreLeftOut();
     void trianglesThatOutgrowTheLimitLeaveParts();
@@ -190,6 +192,24 @@ void LimitedPictureTest::pagesArriveInSlices() {
     QVERIFY(renderer.coarseness().pending && renderer.coarseness().coarser);
     renderer.refine(view);
     QVERIFY(!renderer.coarseness().pending && !renderer.coarseness().coarser);
+}
+
+void LimitedPictureTest::uploadsLeaveTheStateOfPainters() {
+    FrameBuilder builder = cutPart();
+    static_cast<void>(limited(builder.frame(), cameraAt(StandardView::iso, true).view(stockBox())));
+    Camera camera = cameraAt(StandardView::top, false);
+    camera.zoom(0.06, {33, 35, -5});
+    static_cast<void>(limited(builder.frame(), camera.view(stockBox())));
+    const std::array<std::pair<GLenum, GLint>, 5> expected{{{GL_UNPACK_ALIGNMENT, 4},
+                                                            {GL_UNPACK_ROW_LENGTH, 0},
+                                                            {GL_UNPACK_SKIP_ROWS, 0},
+                                                            {GL_UNPACK_SKIP_PIXELS, 0},
+                                                            {GL_ACTIVE_TEXTURE, GL_TEXTURE0}}};
+    for (const auto& [name, value] : expected) {
+        GLint found = -1;
+        currentGl()->glGetIntegerv(name, &found);
+        QCOMPARE(found, value);
+    }
 }
 
 void LimitedPictureTest::theLimitHoldsAtAnyMoment() {
