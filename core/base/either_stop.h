@@ -6,8 +6,8 @@
 
 namespace proveout {
 
-/// A request to stop that follows two others: work that both a user and a limit may stop. While it exists, any
-/// thread may make either request.
+/// A request to stop that follows two others: work that both a user and a limit may stop. While it exists,
+/// any thread may make either request.
 class EitherStop {
 public:
     EitherStop(std::stop_token one, std::stop_token other)

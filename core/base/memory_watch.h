@@ -12,9 +12,9 @@
 
 namespace proveout {
 
-/// Stops long work whose memory is only known once it is done, before it takes more than it may. Looks when it
-/// is constructed and then every few milliseconds, in a thread of its own, until its destruction; so the work
-/// may exceed the limit by what it allocates in that time. Any thread may ask it.
+/// Stops long work whose memory is only known once it is done, before it takes more than it may. Looks when
+/// it is constructed and then every few milliseconds, in a thread of its own, until its destruction; so the
+/// work may exceed the limit by what it allocates in that time. Any thread may ask it.
 class MemoryWatch {
 public:
     /// `mostBytes`: the resident size that the process may reach; less if the machine has less available.

@@ -34,8 +34,7 @@ double pointsAlong(double length, double spacing) {
 }
 
 double bytesOf(double nx, double ny, double bytesPerPoint = 0) {
-    return std::ceil(nx / Tile::kSize) * std::ceil(ny / Tile::kSize) * kTileBytes +
-           nx * ny * bytesPerPoint;
+    return std::ceil(nx / Tile::kSize) * std::ceil(ny / Tile::kSize) * kTileBytes + nx * ny * bytesPerPoint;
 }
 
 /// The finest spacing, to three digits and rounded upwards, whose map has no more points and bytes than
