@@ -29,6 +29,7 @@
 #include "core/formats/stock_file.h"
 #include "core/simulation/records/block_provenance.h"
 #include "core/simulation/records/block_records.h"
+#include "core/simulation/run/interpretation.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/setup/tool_choice.h"
 
@@ -197,10 +198,16 @@ private:
         return !m_reading->isWhole() || fine(reportProgram(*m_program, m_job, m_report));
     }
 
-    /// Whether nothing before the end depends on what follows in the program.
+    /// Whether nothing before the end depends on what follows in the program, and there is memory for the map
+    /// beside the largest program.
     [[nodiscard]] bool cutsWhileReading() const {
-        return !m_job.setup.automaticGrid && !followsSchedule() && m_options.until.empty() &&
-               ThreadLimit::threads() > 1;
+        if (m_job.setup.automaticGrid || followsSchedule() || !m_options.until.empty() ||
+            ThreadLimit::threads() == 1)
+            return false;
+        const auto grid = makeGrid(m_job.setup.stock, m_job.setup.spacing);
+        return grid && expectedMapBytes(*grid, scheduled(), mapOutputs()) +
+                               static_cast<double>(programBytesThatFit()) <=
+                           static_cast<double>(memoryLimitBytes());
     }
 
     /// Cuts a program of which only the beginning has been read, while the rest is.
@@ -237,7 +244,7 @@ private:
         if (!simulation)
             return fine(std::move(simulation));
         m_simulation = std::move(*simulation);
-        m_simulation->setCheckpointBudget(0); // the simulation never goes back
+        m_simulation->setCheckpointBudget(0); // it only goes back to the uncut stock
         if (!m_options.json && !followsSchedule())
             m_simulation->keepFindingsOnly();
         if (!m_options.provenance.empty())

@@ -76,13 +76,17 @@ bool FileAllowance::reduce(SolidForExport& solid, const WorkContext& context) {
         return false;
     const double error = solid.largestErrorMm(m_type, context);
     const double excess = error - m_promised.allowance;
-    if (context.stopped() || excess <= 0 || solid.isSetApartBeyond(m_promised.allowance, context.quiet()))
+    if (context.stopped() || excess <= 0)
         return false;
-    // Without rounding the solid is within the allowance that it was made for.
-    const double rounding = error - m_parameters.allowance;
+    // Without rounding the solid is within the allowance that it was made for, except where touching parts
+    // were set apart; that is the same for any allowance.
+    const double setApart = solid.setApartErrorMm(context.quiet());
+    const double rounding = error - std::max(m_parameters.allowance, setApart);
     const double least = halfOf(m_promised);
+    if (context.stopped() || (setApart > m_promised.allowance && rounding <= least))
+        return false;
     if (m_parameters.allowance <= least) {
-        m_rounding = rounding;
+        m_rounding = rounding > least ? rounding : 0;
         return false;
     }
     // Triangles of another mesh may be less steep, so that it is worth a try even if all looks lost.

@@ -36,7 +36,7 @@ Diagnostics warningsOf(SolidForExport& solid, CoordinateType type, const Decimat
     const double error = solid.largestErrorMm(type);
     if (allowance <= 0 || error <= allowance)
         return {};
-    if (isBounded(promised) && solid.isSetApartBeyond(allowance, context))
+    if (isBounded(promised) && solid.setApartErrorMm(context) > allowance)
         return {setApart(error, allowance)};
     if (type == CoordinateType::float64)
         return {};
@@ -61,9 +61,8 @@ double SolidForExport::largestErrorMm(CoordinateType type, const WorkContext& co
     return error;
 }
 
-bool SolidForExport::isSetApartBeyond(double allowance, const WorkContext& context) {
-    return hasVerticesSetApart(*m_zmap, m_mesh) &&
-           largestErrorMm(CoordinateType::float64, context) > allowance;
+double SolidForExport::setApartErrorMm(const WorkContext& context) {
+    return hasVerticesSetApart(*m_zmap, m_mesh) ? largestErrorMm(CoordinateType::float64, context) : 0;
 }
 
 Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,

@@ -24,9 +24,9 @@ public:
     [[nodiscard]] const TriangleMesh& mesh() const { return m_mesh; }
     /// measureSolidError(), mm. A stopped context returns early, with a part of the result.
     [[nodiscard]] double largestErrorMm(CoordinateType type, const WorkContext& context = {});
-    /// Whether in double precision too the error exceeds an allowance, mm, that bounds that of the surface:
-    /// then because parts of the solid that touch were set apart.
-    [[nodiscard]] bool isSetApartBeyond(double allowance, const WorkContext& context = {});
+    /// The same in double precision if touching parts of the solid were set apart, else 0: what exceeds the
+    /// allowance of a bounded method there does so because of that.
+    [[nodiscard]] double setApartErrorMm(const WorkContext& context = {});
 
 private:
     const ZMapSnapshot* m_zmap;

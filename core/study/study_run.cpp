@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/stop_watch.h"
+#include "core/decimation/surface/decimation_findings.h"
 #include "core/simulation/run/simulation.h"
 #include "core/study/study_findings.h"
 
@@ -41,7 +42,8 @@ public:
         : m_simulation(std::move(simulation)), m_drawing(drawing), m_every(std::max<std::size_t>(1, every)),
           m_wall(createSeconds - m_simulation->effort().allocateSeconds) {}
 
-    StudyRun go(const StudyPoint& point, const WorkContext& context) {
+    /// An error if the memory did not suffice for the surface: its figures would be those of another method.
+    Result<StudyRun> go(const StudyPoint& point, const WorkContext& context) {
         const std::size_t blocks = std::min(point.blocks, m_simulation->blockCount());
         m_run.point = point;
         m_run.rows.reserve(blocks);
@@ -52,6 +54,10 @@ public:
             context.report(static_cast<double>(m_simulation->position()) / static_cast<double>(blocks));
         }
         finish();
+        const Frame last = m_simulation->frame();
+        for (const Diagnostic& finding : last.findings)
+            if (hasIdOf(finding, decimation_finding::kSurfaceTooLarge))
+                return tl::unexpected(Diagnostics{finding});
         return std::move(m_run);
     }
 
@@ -146,7 +152,8 @@ Result<StudyRun> runStudy(const StudyJob& job, const StudyPoint& point, DrawCost
     auto simulation = Simulation::create(job.program, job.setup, point.parameters, {context.stop, {}});
     if (!simulation)
         return tl::unexpected(std::move(simulation.error()));
-    StudyRun run = Run(std::move(*simulation), watch.seconds(), drawing, drawEvery).go(point, context);
+    Result<StudyRun> run =
+        Run(std::move(*simulation), watch.seconds(), drawing, drawEvery).go(point, context);
     if (context.stopped())
         return failure(study_finding::kStudyStopped);
     return run;

@@ -6,6 +6,7 @@
 
 #include "ui/gl/coarse_points.h"
 #include "ui/gl/height_pages.h"
+#include "ui/gl/point_table.h"
 
 namespace proveout {
 
@@ -40,7 +41,8 @@ GraphicsShares GraphicsShares::of(const Grid& grid, std::size_t bytes, const Tex
     shares.coarseStep = coarse.step;
     shares.coarse = coarse.bytes();
     shares.lists = bytes / 5;
-    shares.vertices = bytes / 8;
+    const auto mostRows = static_cast<std::size_t>(limits.side); // of the texture with the table
+    shares.vertices = std::min(bytes / 8, mostRows * PointTable::kRow * sizeof(PointTable::Entry));
     shares.walls = std::min(bytes / 8, mostWallBytes(grid));
     const std::size_t held = shares.coarse + shares.lists + shares.vertices + shares.walls;
     const auto setPage = [&](int points) {

@@ -143,8 +143,11 @@ void PartialHeights::load(Gl& gl, const ZMapSnapshot& moment, const PageResidenc
     const int column = load.page % m_pages.columns;
     const int row = load.page / m_pages.columns;
     gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_held);
-    if (isAtEdge(column, row)) { // interpolation beside the map must not meet whatever was in that memory
-        const glm::ivec2 texels = m_pages.texels();
+    const IndexRect held = m_pages.held(column, row, m_grid);
+    const glm::ivec2 texels = m_pages.texels();
+    // Interpolation beside the map must not meet whatever was in that memory. The margin of a page may reach
+    // beyond the map although the page is not at its edge.
+    if (held.width() < texels.x || held.height() < texels.y) {
         const std::vector<float> zeros(static_cast<std::size_t>(texels.x) *
                                        static_cast<std::size_t>(texels.y));
         gl.glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, load.slot, texels.x, texels.y, 1, GL_RED, GL_FLOAT,

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] bool fits(const Grid& grid) const {
         return HeightTexture::isCounted(grid) && !(m_refused == grid);
     }
+    /// The driver may have memory for other shares.
+    void forgetRefusal() { m_refused.reset(); }
     /// Uploads the coarser points of `moment` and what has changed in the pages held, or a part of that if
     /// the budget is too small; the next call continues. `shares` counts only when grid or floor are new, or
     /// after release().
@@ -39,6 +41,9 @@ public:
     [[nodiscard]] bool holdVertices(Gl& gl, const SurfaceSnapshot& surface, const ZMapSnapshot& moment) {
         return m_vertices.follow(gl, surface, moment);
     }
+    /// The heights of no vertices are exact from now on. Either this or holdVertices() follows each complete
+    /// update: heights of vertices must not be older than the others.
+    void dropVertices(Gl& gl) { m_vertices.drop(gl); }
     /// Loads pages of the uploaded moment, as many as the budget allows; the next call continues. Returns
     /// whether all of them are held.
     bool hold(Gl& gl, const ZMapSnapshot& moment, std::span<const int> pages, const UploadBudget& budget);

@@ -188,6 +188,11 @@ void SurfaceBuffer::updateRegions(Gl& gl, const SurfaceSnapshot& surface, const 
     }
 }
 
+void SurfaceBuffer::setLimit(std::size_t bytes) {
+    m_indices.setLimit(bytes);
+    m_restarted = false;
+}
+
 SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& surface,
                                               const UploadBudget& budget, int step) {
     Uploaded uploaded;
@@ -198,14 +203,17 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
         forget();
     }
     updateRegions(gl, surface, budget, uploaded);
-    if (!uploaded.fits) { // unless the room is only in pieces
+    if (!uploaded.fits && !m_restarted) { // unless the room is only in pieces
         forget();
         m_indices.restart(gl);
+        m_restarted = true; // updates in slices must not restart forever
         uploaded.whole = uploaded.fits = true;
         updateRegions(gl, surface, budget, uploaded);
     }
     if (!uploaded.fits)
         forget();
+    else if (uploaded.whole)
+        m_restarted = false;
     return uploaded;
 }
 
@@ -265,6 +273,7 @@ void SurfaceBuffer::release(Gl& gl) {
     m_regions.clear();
     forget();
     m_indices.release(gl);
+    m_restarted = false;
 }
 
 } // namespace proveout

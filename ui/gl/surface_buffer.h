@@ -32,7 +32,7 @@ public:
     enum class Part : std::uint8_t { fromZMap, decimated };
 
     /// IndexBuffer::setLimit().
-    void setLimit(std::size_t bytes) { m_indices.setLimit(bytes); }
+    void setLimit(std::size_t bytes);
     /// Uploads the surface, or a part of what is still missing; the next call continues. Do not draw before
     /// it is complete. `step`: regions drawn from the z-map have every step-th of their points in each
     /// direction; more than 1 only for a surface without any mesh or polyline, because a neighbour of one
@@ -94,6 +94,7 @@ private:
     int m_step = 1;
     std::vector<Region> m_regions;
     bool m_collected = false; ///< whether m_lists is up to date
+    bool m_restarted = false; ///< m_indices has all bytes of its limit; no update was complete since then
     IndexBuffer m_indices;
     std::map<std::tuple<int, int, int>, Pattern> m_patterns; ///< by width, height, parity of the first point
     std::array<std::array<DrawList, 2>, 2> m_lists;          ///< by part and by width of the indices

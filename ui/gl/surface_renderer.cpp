@@ -19,7 +19,10 @@ SurfaceRenderer::SurfaceRenderer(int mostTexturePoints)
     : m_programs("heights.glsl"), m_mostTexturePoints(mostTexturePoints), m_heights(mostTexturePoints) {}
 
 void SurfaceRenderer::setLimit(std::size_t bytes) {
-    m_chosen = m_chosen && bytes == m_limit;
+    if (bytes == m_limit)
+        return;
+    m_chosen = false;
+    m_parts.forgetRefusal();
     m_limit = bytes;
 }
 
@@ -28,7 +31,8 @@ std::size_t SurfaceRenderer::bytes() const {
 }
 
 bool SurfaceRenderer::fits(Gl& gl, const Grid& grid) const {
-    return m_heights.bytesOf(gl, grid) <= m_limit ? m_heights.fits(gl, grid) : m_parts.fits(grid);
+    const bool inParts = m_chosen && grid == m_grid && m_partPrograms; // perhaps because of the triangles
+    return inParts || m_heights.bytesOf(gl, grid) > m_limit ? m_parts.fits(grid) : m_heights.fits(gl, grid);
 }
 
 void SurfaceRenderer::choose(Gl& gl, const Grid& grid) {
@@ -37,15 +41,19 @@ void SurfaceRenderer::choose(Gl& gl, const Grid& grid) {
     m_chosen = true;
     const std::size_t ofHeights = m_heights.bytesOf(gl, grid);
     const bool whole = ofHeights <= m_limit;
-    if (!whole || m_partPrograms || bytes() > m_limit)
+    const std::size_t ofWalls =
+        whole ? std::min((m_limit - ofHeights) / 4, GraphicsShares::mostWallBytes(grid)) : 0;
+    const std::size_t ofLists = whole ? m_limit - ofHeights - ofWalls : 0;
+    // Buffers of triangles never shrink, and the heights of this grid may take more than those held.
+    const bool tooLarge = bytes() > m_limit || m_surface.bytes() > ofLists || m_wallBuffer.bytes() > ofWalls;
+    if (!whole || m_partPrograms || tooLarge)
         release(gl);
     m_partPrograms.reset();
     if (!whole) {
         holdParts(gl, grid);
         return;
     }
-    const std::size_t ofWalls = std::min((m_limit - ofHeights) / 4, GraphicsShares::mostWallBytes(grid));
-    m_surface.setLimit(m_limit - ofHeights - ofWalls);
+    m_surface.setLimit(ofLists);
     m_wallBuffer.setLimit(ofWalls);
 }
 
@@ -109,14 +117,25 @@ UploadCounts SurfaceRenderer::uploadParts(Gl& gl, const Frame& frame, const Uplo
     counts.bytes = heights.bytes;
     counts.whole = heights.whole;
     counts.fits = heights.fits && m_partPrograms->valid();
+    // The coarser points must be completed before the meshes are tried again, or updates in slices never end.
+    m_sampling = m_sampling && heights.tiles == 0;
     if (!counts.whole || !counts.fits)
         return counts;
-    m_sampled = SurfaceBuffer::bytesFor(frame.surface) > m_shares.lists ||
-                !m_parts.holdVertices(gl, frame.surface, frame.zmap) ||
-                !uploadSurface(gl, frame.surface, budget, counts);
+    m_sampled = m_sampling || !uploadMeshes(gl, frame, budget, counts);
     if (m_sampled)
         counts.fits = uploadSurface(gl, bare(frame.surface), budget, counts, m_shares.coarseStep);
+    m_sampling = m_sampled && counts.fits && !counts.whole;
     return counts;
+}
+
+bool SurfaceRenderer::uploadMeshes(Gl& gl, const Frame& frame, const UploadBudget& budget,
+                                   UploadCounts& counts) {
+    if (SurfaceBuffer::bytesFor(frame.surface) > m_shares.lists) {
+        m_parts.dropVertices(gl);
+        return false;
+    }
+    return m_parts.holdVertices(gl, frame.surface, frame.zmap) &&
+           uploadSurface(gl, frame.surface, budget, counts);
 }
 
 const SurfaceSnapshot& SurfaceRenderer::bare(const SurfaceSnapshot& surface) {
@@ -175,7 +194,7 @@ void SurfaceRenderer::drawTop(Gl& gl, const StockView& view, const SceneOptions&
     program.set(gl, "wireColour", options.colours.wire);
     program.set(gl, "regionColour", options.colours.regionLine);
     program.set(gl, "lineWidth", view.pixelRatio);
-    const float strength = options.tint ? kTintStrength : 0.0f;
+    const float strength = options.tint && !m_sampled ? kTintStrength : 0.0f; // no mesh is drawn then
     program.set(gl, "tint", glm::vec4(options.colours.dirty, strength));
     m_surface.draw(gl, SurfaceBuffer::Part::fromZMap);
     program.set(gl, "tint", glm::vec4(options.colours.decimated, strength));
@@ -207,6 +226,7 @@ void SurfaceRenderer::release(Gl& gl) {
     m_surface.release(gl);
     m_wallBuffer.release(gl);
     m_wallsDue = true;
+    m_sampled = m_sampling = false;
 }
 
 } // namespace proveout

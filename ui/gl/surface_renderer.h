@@ -68,6 +68,9 @@ private:
     void holdParts(Gl& gl, const Grid& grid);
     [[nodiscard]] UploadCounts uploadWhole(Gl& gl, const Frame& frame, const UploadBudget& budget);
     [[nodiscard]] UploadCounts uploadParts(Gl& gl, const Frame& frame, const UploadBudget& budget);
+    /// Uploads the meshes and the heights of their vertices. False if they do not fit.
+    [[nodiscard]] bool uploadMeshes(Gl& gl, const Frame& frame, const UploadBudget& budget,
+                                    UploadCounts& counts);
     [[nodiscard]] bool uploadSurface(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget,
                                      UploadCounts& counts, int step = 1);
     /// The surface of these regions with no mesh.
@@ -84,7 +87,8 @@ private:
     PartialHeights m_parts;
     GraphicsShares m_shares;
     SurfaceSnapshot m_bare;
-    bool m_sampled = false; ///< the surface consists of the coarser points
+    bool m_sampled = false;  ///< the surface consists of the coarser points
+    bool m_sampling = false; ///< and it is not complete yet
     int m_mostTexturePoints;
     HeightTexture m_heights;
     SurfaceBuffer m_surface;

@@ -71,6 +71,11 @@ bool VertexHeights::follow(Gl& gl, const SurfaceSnapshot& surface, const ZMapSna
     return all;
 }
 
+void VertexHeights::drop(Gl& gl) {
+    forget();
+    upload(gl);
+}
+
 void VertexHeights::upload(Gl& gl) {
     gl.glBindTexture(GL_TEXTURE_2D, m_texture);
     for (const std::size_t row : m_table.takeChangedRows())

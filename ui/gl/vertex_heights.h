@@ -26,6 +26,8 @@ public:
     void setTile(const ZMapSnapshot& moment, std::size_t index);
     /// Adds the vertices of a surface and uploads what has changed. False if there are too many.
     [[nodiscard]] bool follow(Gl& gl, const SurfaceSnapshot& surface, const ZMapSnapshot& moment);
+    /// Removes all vertices, on the GPU too.
+    void drop(Gl& gl);
     void release(Gl& gl);
 
     [[nodiscard]] GLuint id() const { return m_texture; } ///< a GL_TEXTURE_2D of PointTable's entries

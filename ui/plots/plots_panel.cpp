@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t kShownAtFirst = 2; ///< the two figures of the paper
 constexpr double kPngScale = 2;
 constexpr std::size_t kValuesAtOnce = std::size_t{1} << 18; ///< some 10 ms
+constexpr std::size_t kFewValues = kValuesAtOnce / 16;      ///< of one plot; also fast if all plots are shown
 
 struct ExportRow {
     PlotFormat format;
@@ -139,7 +140,7 @@ void PlotsPanel::refresh() {
     const bool moved =
         m_block != m_session.simulation().block() || m_blockCount != m_session.program().blockCount();
     const bool filled = std::exchange(m_filled, false);
-    if (!changes.any && !moved && !retimed && !filled)
+    if (!changes.any && !moved && !retimed && !filled && !isBehind())
         return;
     m_block = m_session.simulation().block();
     m_blockCount = m_session.program().blockCount();
@@ -152,13 +153,13 @@ void PlotsPanel::refresh() {
     for (std::size_t index = 0; index < m_views.size(); ++index) {
         const PlotSpec& spec = m_views[index]->spec();
         m_views[index]->setParameterChanges(parameterChanges);
-        RowRange& stale = m_stale[index];
-        stale.include(changes.blocks);
+        RowRange changed = changes.blocks;
         if (spec.picture != nullptr)
-            stale.include(changes.pictured);
+            changed.include(changes.pictured);
         if (retimed && spec.timed)
-            stale.include({0, rows});
-        stale.limit(rows);
+            changed.include({0, rows});
+        addStale(index, changed);
+        m_stale[index].limit(rows);
     }
     fill();
     for (PlotView* view : m_views)
@@ -166,11 +167,34 @@ void PlotsPanel::refresh() {
             view->setBlock(m_block, m_blockCount);
 }
 
+bool PlotsPanel::isBehind() const {
+    for (std::size_t index = 0; index < m_views.size(); ++index) {
+        const PlotView& view = *m_views[index];
+        // Rows that were dropped while the plot was hidden are not in m_stale.
+        if (view.isVisible() && (!m_stale[index].empty() || view.rows() != m_history.blocks().size()))
+            return true;
+    }
+    return false;
+}
+
+void PlotsPanel::addStale(std::size_t index, const RowRange& changed) {
+    PlotView& view = *m_views[index];
+    RowRange& stale = m_stale[index];
+    const bool before = !stale.empty() && changed.end <= std::min(stale.first, view.rows());
+    const bool few = changed.size() * view.spec().series.size() <= kFewValues;
+    if (view.isVisible() && !changed.empty() && before && few)
+        view.setRows(input(), changed);
+    else
+        stale.include(changed);
+}
+
 void PlotsPanel::fill() {
     const PlotInput shown = input();
     std::size_t left = kValuesAtOnce;
     bool more = false;
-    for (std::size_t index = 0; index < m_views.size(); ++index) {
+    const std::size_t from = m_fillFrom;
+    for (std::size_t k = 0; k < m_views.size(); ++k) {
+        const std::size_t index = (from + k) % m_views.size();
         PlotView& view = *m_views[index];
         if (!view.isVisible())
             continue;
@@ -178,7 +202,11 @@ void PlotsPanel::fill() {
         const RowRange now = m_stale[index].takeFront(left / curves);
         view.setRows(shown, now);
         left -= now.size() * curves;
-        more = more || !m_stale[index].empty();
+        if (more || m_stale[index].empty())
+            continue;
+        // The first view that is not finished used up the limit, so the next one is first the next time.
+        more = true;
+        m_fillFrom = now.empty() ? index : index + 1;
     }
     if (more)
         return m_fill.start();
@@ -191,6 +219,7 @@ void PlotsPanel::fill() {
 void PlotsPanel::fillAll(PlotView& view) {
     const auto index = static_cast<std::size_t>(std::ranges::find(m_views, &view) - m_views.begin());
     view.setRows(input(), std::exchange(m_stale[index], {}));
+    view.setBlock(m_block, m_blockCount); // fits the axes to the new rows
 }
 
 void PlotsPanel::noteGaps(const RowRange& changed) {

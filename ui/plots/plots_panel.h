@@ -47,6 +47,11 @@ protected:
 
 private:
     void refresh();
+    /// Whether a shown plot does not have the current rows.
+    [[nodiscard]] bool isBehind() const;
+    /// Adds rows to those of a view that are not up to date. A few rows before the ones that fill() has yet
+    /// to update are updated immediately, because fill() would otherwise start again at them on each tick.
+    void addStale(std::size_t index, const RowRange& changed);
     /// Finds out whether a block was not measured; the other rows are as they were.
     void noteGaps(const RowRange& changed);
     /// Updates the rows of the shown plots, a limited number of them at once, and continues after other
@@ -73,8 +78,9 @@ private:
     std::vector<QAction*> m_shown; ///< one per view
     /// The rows of each view that are not up to date; those of a hidden one stay so until it is shown.
     std::vector<RowRange> m_stale;
-    QTimer m_fill;         ///< active while there is more to fill
-    bool m_filled = false; ///< since the last tick
+    std::size_t m_fillFrom = 0; ///< the view that the next fill() begins with, so that each gets its turn
+    QTimer m_fill;              ///< active while there is more to fill
+    bool m_filled = false;      ///< since the last tick
     std::size_t m_block = 0;
     std::size_t m_blockCount = 0;
 };

@@ -75,8 +75,10 @@ void RowExtremes::update(Rows rows, std::size_t first, std::size_t end) {
     for (; m_levels[level].size() > kGroup; ++level) {
         first /= kGroup;
         end = groupsOf(end);
-        if (level + 1 == m_levels.size())
+        if (level + 1 == m_levels.size()) {
             m_levels.emplace_back();
+            first = 0; // A new level also needs the groups before the changed rows.
+        }
         updateLevel(m_levels[level + 1], m_levels[level], first, end);
     }
     m_levels.resize(level + 1);

@@ -58,7 +58,9 @@ Result<void> ExportMemory::check() const {
 
 bool ExportMemory::isExceeded(std::size_t triangles) const {
     const auto needs = [&] {
-        return static_cast<double>(residentMemoryBytes()) + surfaceBytes(m_zmap.grid(), triangles, kOutputs);
+        const double ofList = static_cast<double>(triangles * sizeof(LatticeTriangle)); // resident already
+        return static_cast<double>(residentMemoryBytes()) + surfaceBytes(m_zmap.grid(), triangles, kOutputs) -
+               ofList;
     };
     return m_watch && (m_watch->exceeded() || needs() > m_most);
 }

@@ -15,7 +15,7 @@ namespace {
 ProgramSource::Interpret resuming() {
     return [interpreter = std::make_shared<ResumableInterpreter>()](
                const NcText& text, const InterpretOptions& options, const WorkContext& context,
-               const ResumableInterpreter::Publish& publish) {
+               const PublishBeginning& publish) {
         return interpreter->interpret(text, options, context, publish);
     };
 }
@@ -54,7 +54,7 @@ std::shared_ptr<const Program> ProgramSource::interpret(const Request& request, 
         if (done > 0 && done < 1)
             reply.post([this, done] { emit progressed(done); });
     };
-    ResumableInterpreter::Publish publish;
+    PublishBeginning publish;
     if (request.beginning)
         publish = [this, &reply](const std::shared_ptr<const Program>& program) {
             reply.post([this, program, cutting = cuttingExtent(*program)] { emit begun(program, cutting); });

@@ -35,7 +35,7 @@ class ProgramSource : public QObject {
 
 public:
     using Interpret = std::function<std::shared_ptr<const Program>(
-        const NcText&, const InterpretOptions&, const WorkContext&, const ResumableInterpreter::Publish&)>;
+        const NcText&, const InterpretOptions&, const WorkContext&, const PublishBeginning&)>;
     /// `interpret` is called on the thread; exceptions are reported by `failed`. Null: a
     /// ResumableInterpreter.
     explicit ProgramSource(QObject* parent = nullptr, Interpret interpret = {});

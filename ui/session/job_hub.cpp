@@ -62,7 +62,7 @@ void JobHub::setMachine(const Machine& machine) {
 
 /// Whether the z-map for the setup can be created.
 Result<void> JobHub::checkMap(const Setup& setup) const {
-    return checkSetupMemory(setup, parameters(), static_cast<double>(memoryLimitBytes()));
+    return checkSetupMemory(setup, parameters(), static_cast<double>(memoryLimitBytes()), true);
 }
 
 /// Applies a setup that has changed from `before`.

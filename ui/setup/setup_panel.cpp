@@ -64,6 +64,8 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     });
     connect(&session.job(), &JobHub::replaced, this, &SetupPanel::dropInput);
     connect(&session.job(), &JobHub::setupChanged, this, &SetupPanel::showSetup);
+    connect(&session.job(), &JobHub::parametersChanged, this,
+            [this] { showMemory(m_session.job().setup()); });
     connect(&session.document(), &DocumentHub::changed, this, &SetupPanel::titleTools);
     connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showMissingTools);
     connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showControl);
@@ -157,7 +159,7 @@ void SetupPanel::showMemory(const Setup& setup) {
         m_memory->clear();
         return;
     }
-    const MemoryForecast memory = memoryForecast(setup, *grid, m_session.job().parameters());
+    const MemoryForecast memory = memoryForecast(setup, *grid, m_session.job().parameters(), true);
     m_memory->setText(tr("%1 × %2 points, spacing %3 × %4 mm; needs about %5, at most %6")
                           .arg(locale().toString(grid->nx), locale().toString(grid->ny),
                                locale().toString(grid->hx, 'g', 5), locale().toString(grid->hy, 'g', 5),

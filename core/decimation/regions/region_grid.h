@@ -27,6 +27,11 @@ public:
     [[nodiscard]] int nx() const { return m_nx; }
     [[nodiscard]] int ny() const { return m_ny; }
     [[nodiscard]] int cells() const { return m_cells; }
+    /// The most points that so many regions have, those on borders counted for each.
+    [[nodiscard]] std::size_t pointsOf(std::size_t regions) const {
+        const auto along = static_cast<std::size_t>(m_cells) + 1;
+        return regions * along * along;
+    }
     [[nodiscard]] int regionsX() const { return m_regionsX; }
     [[nodiscard]] int regionsY() const { return m_regionsY; }
     [[nodiscard]] std::size_t regionCount() const;

@@ -60,7 +60,7 @@ double regionBytesPerPoint(const DecimationParameters& parameters) {
 
 /// The maps beside the one that is cut.
 double mapsBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
-    return (followsSchedule(parameters, outputs) ? kMap : 0) + (outputs.shaped ? kMap : 0);
+    return (followsSchedule(parameters, outputs) || outputs.shown ? kMap : 0) + (outputs.shaped ? kMap : 0);
 }
 
 /// Whether the triangles are watched. A method that works on the whole map takes all at once.
@@ -77,7 +77,7 @@ double certainBytesPerPoint(const DecimationParameters& parameters, MapOutputs o
     const double regions = followsSchedule(parameters, outputs) ? emptyRegionBytesPerPoint(parameters) : 0;
     if (outputs.whole)
         outputs.solid = false; // of the triangles that are watched
-    outputs.schedule = outputs.whole = outputs.shaped = false;
+    outputs.schedule = outputs.whole = outputs.shown = outputs.shaped = false;
     return maps + regions + meshBytesPerPoint(parameters, outputs);
 }
 

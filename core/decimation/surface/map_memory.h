@@ -13,6 +13,7 @@ namespace proveout {
 /// What is made from a map in addition to cutting it.
 struct MapOutputs {
     bool schedule = true; ///< regions that are decimated while it is cut, and the map of their moment
+    bool shown = false;   ///< without such regions: the map of the last frame that was shown
     bool shaped = false;  ///< the uncut stock is not a box: its map is kept, for a restart
     bool whole = false;   ///< the whole map is decimated at the end (decimatedWhole()) and measured
     bool solid = false;   ///< the decimated or else the full mesh, closed and written to files

@@ -61,6 +61,8 @@ std::shared_ptr<const Program> Interpretation::run() {
            (!m_calls.atEnd() || m_lines.leaveText())) {
         if (m_calls.line() >= m_nextPoint)
             offerPoint();
+        if (m_beginnings != nullptr && m_beginnings->isDue(*m_program))
+            m_beginnings->publish(*m_program, m_calls.mainLineNumber(), m_run.read.sourceBlocks);
         m_cutShort = !lookUp() || !runLine();
     }
     end();
@@ -90,8 +92,7 @@ void Interpretation::offerPoint() {
     const std::size_t seen = place->line + (place->indexAsked ? 1 : 0);
     m_run.read.linesSeen = std::max({m_run.read.linesSeen, m_run.read.linesRead, seen});
     m_nextPoint = m_keepPoint(
-        {m_run, m_lines.registers().contents(), std::move(*place), m_reporter.memory(), m_program->extent()},
-        *m_program);
+        {m_run, m_lines.registers().contents(), std::move(*place), m_reporter.memory(), m_program->extent()});
 }
 
 void Interpretation::begin() {

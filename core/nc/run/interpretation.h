@@ -8,6 +8,7 @@
 
 #include "core/nc/codes/dialect_guess.h"
 #include "core/nc/flow/call_stack.h"
+#include "core/nc/run/beginnings.h"
 #include "core/nc/run/interpreter.h"
 #include "core/nc/run/line_runner.h"
 #include "core/nc/run/program_notices.h"
@@ -29,9 +30,11 @@ public:
     /// a longer program. The lines before the point must be the same.
     void resume(const ResumePoint& point, const Program& earlier);
 
-    /// Receives a point and the program up to it; returns the line from which on it wants the next one.
-    using KeepPoint = std::function<std::size_t(ResumePoint, const Program&)>;
+    /// Receives a point; returns the line from which on it wants the next one.
+    using KeepPoint = std::function<std::size_t(ResumePoint)>;
     void keepPoints(std::size_t firstLine, KeepPoint keep);
+    /// Publishes what has been read while it runs.
+    void publish(Beginnings& beginnings) { m_beginnings = &beginnings; }
 
     /// Once.
     [[nodiscard]] std::shared_ptr<const Program> run();
@@ -60,6 +63,7 @@ private:
     ProgramNotices m_notices;
     KeepPoint m_keepPoint;
     std::size_t m_nextPoint = SIZE_MAX; ///< line
+    Beginnings* m_beginnings = nullptr;
     bool m_begun = false;
     bool m_cutShort = false; ///< stopped, or at a limit: the rest of the program is unknown
 };

@@ -9,11 +9,14 @@
 namespace proveout {
 
 std::shared_ptr<const Program> interpret(const NcText& text, const InterpretOptions& options,
-                                         const WorkContext& context) {
+                                         const WorkContext& context, const PublishBeginning& publish) {
     if (auto foreign = foreignProgram(text, options))
         return foreign;
     DialectGuess guess = options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text);
-    return Interpretation(text, options, std::move(guess), context).run();
+    Interpretation run(text, options, std::move(guess), context);
+    Beginnings beginnings(publish, options.file);
+    run.publish(beginnings);
+    return run.run();
 }
 
 } // namespace proveout

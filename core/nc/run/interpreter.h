@@ -15,6 +15,7 @@
 #include "core/base/work_context.h"
 #include "core/nc/program/probe_target.h"
 #include "core/nc/program/program.h"
+#include "core/nc/run/beginnings.h"
 #include "core/nc/state/tool_offsets.h"
 #include "core/nc/text/dialect.h"
 #include "core/nc/text/nc_text.h"
@@ -66,8 +67,10 @@ struct InterpretOptions {
 /// Interprets an NC text as the control of its dialect does (codes.h). Never fails: what could not be
 /// understood is reported in the program's diagnostics, and everything after it is marked unverified. Pure
 /// function of text and options; any thread. A stopped context gives the program up to that block with a
-/// diagnostic that says so.
-[[nodiscard]] std::shared_ptr<const Program>
-interpret(const NcText& text, const InterpretOptions& options = {}, const WorkContext& context = {});
+/// diagnostic that says so. `publish` receives beginnings of a long program.
+[[nodiscard]] std::shared_ptr<const Program> interpret(const NcText& text,
+                                                       const InterpretOptions& options = {},
+                                                       const WorkContext& context = {},
+                                                       const PublishBeginning& publish = {});
 
 } // namespace proveout

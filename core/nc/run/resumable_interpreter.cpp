@@ -13,11 +13,6 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kFirstPublished = 100'000;  ///< motions; shorter programs are complete almost at once
-constexpr std::size_t kPublishedAgain = 4;        ///< factor to the next publication
-constexpr std::size_t kMostPublished = 2'000'000; ///< a copy of more would use memory that the whole program
-                                                  ///< needs
-
 /// The lines [first, last) of a text.
 NcText part(const NcText& text, std::size_t first, std::size_t last) {
     std::string lines;
@@ -51,36 +46,12 @@ bool sameText(const NcText& a, const NcText& b) {
     return a.size() == b.size() && a.lineCount() == b.lineCount() && a.sameLines(b) + 1 >= a.lineCount();
 }
 
-/// Publishes the unfinished program, at growing intervals.
-class Publisher {
-public:
-    Publisher(const ResumableInterpreter::Publish& publish, const std::string& file)
-        : m_publish(publish), m_file(file) {}
-
-    void offer(const ResumePoint& point, const Program& soFar) {
-        if (!m_publish || point.program.motions < m_next || point.program.motions > kMostPublished)
-            return;
-        m_next = point.program.motions * kPublishedAgain;
-        auto program = std::make_shared<Program>(soFar, point.program);
-        Reporter reporter(*program, m_file, 0);
-        reporter.beginLine(static_cast<std::uint32_t>(point.calls.line + 1));
-        reporter.reportInAnyCase(nc_message::kStillReading, 1, 0);
-        program->setSourceBlockCount(point.run.read.sourceBlocks);
-        m_publish(program);
-    }
-
-private:
-    const ResumableInterpreter::Publish& m_publish;
-    const std::string& m_file;
-    std::size_t m_next = kFirstPublished;
-};
-
 } // namespace
 
 std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& text,
                                                                const InterpretOptions& options,
                                                                const WorkContext& context,
-                                                               const Publish& publish) {
+                                                               const PublishBeginning& publish) {
     if (auto foreign = foreignProgram(text, options)) {
         m_last.reset();
         forgetFrom(0);
@@ -106,11 +77,9 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
     forgetFrom(usable);
     if (usable == 0)
         m_distance = m_leastDistance;
-    Publisher publisher(publish, now.options.file);
-    run.keepPoints(m_resumedAt + m_distance, [&](ResumePoint point, const Program& soFar) {
-        publisher.offer(point, soFar);
-        return keep(std::move(point));
-    });
+    Beginnings beginnings(publish, now.options.file);
+    run.publish(beginnings);
+    run.keepPoints(m_resumedAt + m_distance, [&](ResumePoint point) { return keep(std::move(point)); });
     now.program = run.run();
     // An endless loop discards what it has made.
     std::erase_if(m_points, [&](const ResumePoint& point) {

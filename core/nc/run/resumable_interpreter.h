@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/work_context.h"
 #include "core/nc/codes/dialect_guess.h"
+#include "core/nc/run/beginnings.h"
 #include "core/nc/run/interpreter.h"
 #include "core/nc/run/resume_point.h"
 
@@ -22,17 +22,13 @@ class ResumableInterpreter {
 public:
     static constexpr std::size_t kMostPoints = 64;
 
-    /// Receives the beginning of a program while the rest is still being read: at first soon, then at growing
-    /// intervals. Its last message says so and marks it unverified. Called on the thread of `interpret`.
-    using Publish = std::function<void(const std::shared_ptr<const Program>&)>;
-
     /// `linesPerPoint`: smallest distance between two points.
     explicit ResumableInterpreter(std::size_t linesPerPoint = 4096) : m_leastDistance(linesPerPoint) {}
 
     [[nodiscard]] std::shared_ptr<const Program> interpret(const NcText& text,
                                                            const InterpretOptions& options,
                                                            const WorkContext& context = {},
-                                                           const Publish& publish = {});
+                                                           const PublishBeginning& publish = {});
 
     /// The line, 0-based, from which the last call continued.
     [[nodiscard]] std::size_t resumedAt() const { return m_resumedAt; }

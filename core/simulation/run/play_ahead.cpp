@@ -47,6 +47,31 @@ PlayAhead::PlayAhead(Simulation::State& state, std::size_t last)
     : m_state(state), m_last(last), m_shown(state.stock.block),
       m_front(state.surface.grid(), state.base.zmap, state.surface.listOfDirtyRegions()) {}
 
+void PlayAhead::play(Simulation::State& state, std::size_t block, const WorkContext& context) {
+    const auto isPlayed = [&](std::size_t one) {
+        return one < state.rows.size() && state.rows[one].isPlayed();
+    };
+    const auto part = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(block); };
+    for (std::size_t next = 0; next < block && !context.stopped();) {
+        std::size_t last = next;
+        while (last < block && !isPlayed(last))
+            ++last;
+        if (last == next) {
+            ++next;
+            continue;
+        }
+        if (state.stock.block != next || state.behind)
+            state.seek(next, context.quiet());
+        PlayAhead(state, last).run(context.part(part(next), part(last)));
+        if (state.behind && state.surfaceMemory.exceeded())
+            state.giveUpSurface(); // the blocks that have no rows yet are played without a surface
+        else
+            next = last;
+    }
+    if (!context.stopped())
+        state.seek(block, context.quiet());
+}
+
 void PlayAhead::run(const WorkContext& context) {
     const std::size_t first = m_shown;
     CutStretch next = cutStretch(context);
@@ -63,7 +88,7 @@ void PlayAhead::run(const WorkContext& context) {
                     apart([&] { next = cutStretch(context.quiet()); });
             });
         };
-        (void)m_state.surfaceMemory.limit(now.jobs.size(), context, work); // without a mesh, show() ends
+        (void)m_state.surfaceMemory.limit(now.points, context, work); // without a mesh, show() ends
         // The wall time of the threads is divided among what they did.
         const double ofCutting = cutSeconds(next);
         const double ofThreads = ofCutting + madeSeconds(now);

@@ -13,11 +13,14 @@ namespace proveout {
 /// or three regions, as in a usual moment, are not worth waking other threads. Owned by one thread.
 class PlayAhead {
 public:
+    /// Executes every block before `block` that was not played, and moves there.
+    static void play(Simulation::State& state, std::size_t block, const WorkContext& context);
+
     /// `state` is settled; none of the blocks from its position to `last` has been played.
     PlayAhead(Simulation::State& state, std::size_t last);
 
-    /// After a stop the blocks that have been cut count as executed; those whose surface is missing have rows
-    /// without times, and the surface is unsettled.
+    /// After a stop, or if the surface needs too much memory, the blocks that have been cut count as
+    /// executed; those whose surface is missing have rows without times, and the surface is unsettled.
     void run(const WorkContext& context);
 
 private:

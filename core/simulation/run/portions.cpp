@@ -17,7 +17,7 @@ constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which 
 constexpr double kLongestSeconds = 0.08;
 constexpr std::size_t kFirstPortion = 1; // a stop of blocks that take long loses one
 /// Motions and their records are kept until the portion is done: 9 MB, and 36 MB where portions may be long,
-/// because the memory of the cutting is then allocated less often.
+/// because threads then wait for each other less often.
 constexpr std::size_t kMostMotions = 32'768;
 constexpr std::size_t kMostMotionsOfLong = 4 * kMostMotions;
 /// A block with more motions, e.g. a drilling cycle, is cut alone: a stop must not lose the blocks before it.

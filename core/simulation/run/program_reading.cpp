@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/base/stop_watch.h"
-#include "core/nc/run/resumable_interpreter.h"
 #include "core/simulation/run/interpretation.h"
 
 namespace proveout {
@@ -33,6 +32,7 @@ void ProgramReading::read(const std::stop_token& stop) {
     } catch (...) {
         error = std::current_exception();
     }
+    m_text = NcText();
     const std::lock_guard lock(m_mutex);
     m_newest = std::move(whole);
     m_error = error;
@@ -42,11 +42,9 @@ void ProgramReading::read(const std::stop_token& stop) {
 }
 
 std::shared_ptr<const Program> ProgramReading::interpretAll(const std::stop_token& stop) {
-    ResumableInterpreter interpreter;
     const WorkContext context{stop, {}};
     const auto again = [&](const InterpretOptions& options) {
-        return interpreter.interpret(m_text, options, context,
-                                     [this](const auto& beginning) { offer(beginning); });
+        return interpret(m_text, options, context, [this](const auto& beginning) { offer(beginning); });
     };
     auto program = again(m_options);
     return m_setup.startTool ? program : withAssumedTool(std::move(program), m_options, m_setup.tools, again);

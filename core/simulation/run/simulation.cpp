@@ -7,6 +7,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "core/simulation/run/play_ahead.h"
 #include "core/simulation/run/simulation_state.h"
 #include "core/simulation/setup/parameter_check.h"
 #include "core/simulation/setup/setup_memory.h"
@@ -105,7 +106,7 @@ void Simulation::seek(std::size_t block, const WorkContext& context) {
 }
 
 void Simulation::play(std::size_t block, const WorkContext& context) {
-    m_state->play(std::min(block, blockCount()), context);
+    PlayAhead::play(*m_state, std::min(block, blockCount()), context);
 }
 
 void Simulation::noteParameters(const DecimationParameters& parameters) {

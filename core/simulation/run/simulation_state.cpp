@@ -10,7 +10,6 @@
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/block_rows.h"
 #include "core/simulation/run/changed_regions.h"
-#include "core/simulation/run/play_ahead.h"
 #include "core/simulation/run/portions.h"
 #include "core/simulation/setup/automatic_grid.h"
 #include "core/simulation/setup/stock_position.h"
@@ -125,17 +124,22 @@ void Simulation::State::step(const WorkContext& context) {
 
 double Simulation::State::decimate(std::span<const std::size_t> regions, const WorkContext& context) {
     const StopWatch watch;
+    if (surfaceMemory.isWatched() && !atRest.isShown())
+        atRest = {}; // it may be large, and is made again
     const auto work = [&](const auto& limited) { surface.decimateRegions(regions, base.zmap, limited); };
-    if (!surfaceMemory.limit(regions.size(), context, work)) {
-        schedule = Schedule::never();
-        surface = Surface(stock.zmap.grid().nx, stock.zmap.grid().ny, whileCutting(parameters));
-        atRest = {};
-        base = checkpoints.before(0);
-        returnFreedMemory();
-    }
+    if (!surfaceMemory.limit(surface.grid().pointsOf(regions.size()), context, work))
+        giveUpSurface();
     const double seconds = watch.seconds();
     effort.decimationSeconds += seconds;
     return seconds;
+}
+
+void Simulation::State::giveUpSurface() {
+    schedule = Schedule::never();
+    surface = Surface(stock.zmap.grid().nx, stock.zmap.grid().ny, whileCutting(parameters));
+    atRest = {};
+    base = checkpoints.before(0);
+    returnFreedMemory();
 }
 
 void Simulation::State::noteSurface() {
@@ -238,29 +242,6 @@ void Simulation::State::keepNew(StockRun&& run, std::size_t known) {
     for (const auto region : differingRegions(base.zmap, stock.zmap.snapshot(), surface.grid()))
         surface.touchRegion(region);
     behind = schedule.decimates();
-}
-
-void Simulation::State::play(std::size_t block, const WorkContext& context) {
-    const auto isPlayed = [&](std::size_t one) { return one < rows.size() && rows[one].isPlayed(); };
-    for (std::size_t next = 0; next < block && !context.stopped();) {
-        std::size_t last = next;
-        while (last < block && !isPlayed(last))
-            ++last;
-        if (last == next) {
-            ++next;
-            continue;
-        }
-        if (stock.block != next || behind)
-            seek(next, context.quiet());
-        const auto all = static_cast<double>(block);
-        const WorkContext part =
-            context.part(static_cast<double>(next) / all, static_cast<double>(last) / all);
-        if (!context.stopped())
-            PlayAhead(*this, last).run(part);
-        next = stock.block; // before `last` if the surface needs too much memory
-    }
-    if (!context.stopped())
-        seek(block, context.quiet());
 }
 
 void Simulation::State::fallBack(std::size_t kept) {

@@ -86,9 +86,10 @@ struct Simulation::State {
 
     // --- the surface
 
-    /// Decimates dirty regions with the heights of `base`; returns the seconds it took. If the surface needs
-    /// too much memory, all regions are drawn from the z-map, and nothing is decimated from now on.
+    /// Decimates dirty regions with the heights of `base`; returns the seconds it took.
     double decimate(std::span<const std::size_t> regions, const WorkContext& context);
+    /// From now on nothing is decimated: all regions are drawn from the z-map.
+    void giveUpSurface();
     /// Writes the present surface into the row of the present block.
     void noteSurface();
     /// Brings the surface into the state that the schedule requires: the regions that differ from `base` are
@@ -113,8 +114,6 @@ struct Simulation::State {
     /// Moves to the nearest known checkpoint at or before `kept`, without any work; everything after it is
     /// discarded.
     void fallBack(std::size_t kept);
-    /// Executes every block before `block` that was not played, each with its decimation, and moves there.
-    void play(std::size_t block, const WorkContext& context);
     void useParameters(const DecimationParameters& wanted);
 };
 

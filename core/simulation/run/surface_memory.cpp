@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run/surface_memory.h"
 
+#include <optional>
+#include <system_error>
+
 #include "core/base/either_stop.h"
 #include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/base/memory_watch.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "core/decimation/surface/decimation_findings.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/simulation/setup/setup_memory.h"
@@ -13,9 +17,9 @@ namespace proveout {
 
 namespace {
 
-/// Regions between two looks: a look takes as long as decimating one or two, and so many take less than
-/// MemoryWatch keeps in reserve.
-constexpr std::size_t kRegionsPerLook = 1024;
+/// Points between two looks: a look takes as long as decimating some hundred, and the triangles of so many
+/// take less than MemoryWatch keeps in reserve.
+constexpr std::size_t kPointsPerLook = 300'000;
 
 } // namespace
 
@@ -25,29 +29,38 @@ void SurfaceMemory::allow(std::uint64_t bytes) {
 }
 
 void SurfaceMemory::begin(const Setup& setup, const Grid& grid, const DecimationParameters& parameters) {
-    m_worst = memoryForecast(setup, grid, parameters).most;
+    // While regions are made ahead (PlayAhead), those that they replace still exist.
+    const double ahead = static_cast<double>(grid.nx) * grid.ny * row(parameters.method).bytesPerPoint;
+    m_worst = memoryForecast(setup, grid, parameters, true).most + ahead;
     m_exceeded = false;
 }
 
-bool SurfaceMemory::limit(std::size_t regions, const WorkContext& context,
+bool SurfaceMemory::limit(std::size_t points, const WorkContext& context,
                           const std::function<void(const WorkContext&)>& work) {
-    if (m_exceeded && regions > 0)
+    if (m_exceeded && points > 0)
         return false;
-    if (m_worst <= static_cast<double>(m_allowed) || (m_unseen += regions) < kRegionsPerLook) {
+    if (!isWatched() || (m_unseen += points) < kPointsPerLook) {
         work(context);
         return true;
     }
     m_unseen = 0;
-    const MemoryWatch memory(m_most);
-    const EitherStop either(context.stop, memory.stop());
+    std::optional<MemoryWatch> memory;
+    try {
+        memory.emplace(m_most);
+    } catch (const std::system_error&) { // no memory for a thread
+        m_exceeded = true;
+        return false;
+    }
+    const EitherStop either(context.stop, memory->stop());
     work({either.token(), context.progress});
-    m_exceeded = memory.exceeded();
+    m_exceeded = memory->exceeded();
     return !m_exceeded;
 }
 
 Diagnostic SurfaceMemory::finding(const Setup& setup, const DecimationParameters& parameters) const {
     const auto allowed = static_cast<double>(m_allowed);
-    const auto would = finestSpacing(setup.stock, allowed, meshBytesPerPoint(parameters, {}));
+    const auto would =
+        finestSpacing(setup.stock, allowed, meshBytesPerPoint(parameters, simulationOutputs(setup, true)));
     return diagnosticOf(
         decimation_finding::kSurfaceTooLarge,
         {figures("{}", readableBytes(allowed)), figures("{:g}", would.value_or(setup.spacing))});

@@ -23,11 +23,14 @@ public:
     /// A new surface begins. If any surface with these parameters is allowed, nothing is watched.
     void begin(const Setup& setup, const Grid& grid, const DecimationParameters& parameters);
 
-    /// Does work on so many regions, with a context that is stopped when the memory is used up as well.
-    /// Returns false if it was: the surface must be given up, and no more work is done until another begins.
-    [[nodiscard]] bool limit(std::size_t regions, const WorkContext& context,
+    /// Does work on regions with so many points, with a context that is stopped when the memory is used up as
+    /// well. Returns false if it was: the surface must be given up, and no more work is done until another
+    /// begins.
+    [[nodiscard]] bool limit(std::size_t points, const WorkContext& context,
                              const std::function<void(const WorkContext&)>& work);
 
+    /// Whether there may be a surface that is too large.
+    [[nodiscard]] bool isWatched() const { return m_worst > static_cast<double>(m_allowed); }
     /// Whether the surface needs more than is allowed.
     [[nodiscard]] bool exceeded() const { return m_exceeded; }
     /// The finding about that, with a spacing that would fit.
@@ -37,7 +40,7 @@ private:
     std::uint64_t m_allowed = UINT64_MAX;
     std::uint64_t m_most = UINT64_MAX; ///< resident
     double m_worst = 0;
-    std::size_t m_unseen = 0; ///< regions since the memory was looked at
+    std::size_t m_unseen = 0; ///< points since the memory was looked at
     bool m_exceeded = false;
 };
 

@@ -1,30 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/setup/setup_memory.h"
 
-#include <utility>
-
-#include "core/decimation/surface/map_memory.h"
-
 namespace proveout {
 
-namespace {
-
-MapOutputs mapOutputs(const Setup& setup) {
-    return {.shaped = setup.shape.kind != StockKind::box, .watched = true};
+MapOutputs simulationOutputs(const Setup& setup, bool shown) {
+    return {.shown = shown, .shaped = setup.shape.kind != StockKind::box, .watched = true};
 }
 
-} // namespace
-
-MemoryForecast memoryForecast(const Setup& setup, const Grid& grid, const DecimationParameters& parameters) {
-    const MapOutputs outputs = mapOutputs(setup);
+MemoryForecast memoryForecast(const Setup& setup, const Grid& grid, const DecimationParameters& parameters,
+                              bool shown) {
+    const MapOutputs outputs = simulationOutputs(setup, shown);
     return {expectedMapBytes(grid, parameters, outputs), mapBytes(grid, parameters, outputs)};
 }
 
-Result<void> checkSetupMemory(const Setup& setup, const DecimationParameters& parameters, double limitBytes) {
+Result<void> checkSetupMemory(const Setup& setup, const DecimationParameters& parameters, double limitBytes,
+                              bool shown) {
     const auto grid = makeGrid(setup.stock, setup.spacing);
     if (!grid)
         return tl::unexpected(grid.error());
-    return checkMapMemory(setup.stock, *grid, parameters, mapOutputs(setup), limitBytes);
+    return checkMapMemory(setup.stock, *grid, parameters, simulationOutputs(setup, shown), limitBytes);
 }
 
 } // namespace proveout

@@ -3,6 +3,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/regions/parameters.h"
+#include "core/decimation/surface/map_memory.h"
 #include "core/simulation/setup/setup.h"
 #include "core/zmap/stock.h"
 
@@ -14,13 +15,16 @@ struct MemoryForecast {
     double most = 0;     ///< with any surface
 };
 
+/// What a simulation makes of its map, and keeps beside it. `shown`: frames of it are shown.
+[[nodiscard]] MapOutputs simulationOutputs(const Setup& setup, bool shown = false);
+
 /// Before anything is allocated; `grid` is that of the setup. Pure.
 [[nodiscard]] MemoryForecast memoryForecast(const Setup& setup, const Grid& grid,
-                                            const DecimationParameters& parameters);
+                                            const DecimationParameters& parameters, bool shown = false);
 
 /// Refuses a setup of which not even the z-map fits into `limitBytes`; the triangles are watched while they
 /// are made (SurfaceMemory). Errors: stock, grid, memory.
 [[nodiscard]] Result<void> checkSetupMemory(const Setup& setup, const DecimationParameters& parameters,
-                                            double limitBytes);
+                                            double limitBytes, bool shown = false);
 
 } // namespace proveout

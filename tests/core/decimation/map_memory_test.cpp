@@ -78,7 +78,7 @@ TEST(MapMemory, OfAWatchedScheduleIsTheMapsAndTheEmptyRegions) {
     EXPECT_FALSE(checkMapMemory(stock, grid, {}, watched, 2 * map))
         << "the map of the last moment is held too";
     EXPECT_EQ(mapBytes(grid, {}, watched), mapBytes(grid, {}, {})) << "the forecast is still the worst";
-    EXPECT_LT(expectedMapBytes(grid, {}, watched), mapBytes(grid, {}, watched) / 2);
+    EXPECT_LT(expectedMapBytes(grid, {}, watched), 0.7 * mapBytes(grid, {}, watched));
 }
 
 TEST(MapMemory, CountsTheUncutMapOfAStockThatIsNoBox) {

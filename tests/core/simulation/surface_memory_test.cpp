@@ -12,20 +12,14 @@
 namespace proveout {
 namespace {
 
-/// 121 × 161 points and 4800 regions: the memory is looked at when they are decimated for the first time.
-std::shared_ptr<const Setup> manyRegions() {
-    return smallSetup(0.25);
-}
-
-DecimationParameters smallestRegions() {
-    DecimationParameters parameters;
-    parameters.regionCells = 2;
-    return parameters;
+/// 481,000 points: the memory is looked at when their regions are decimated for the first time.
+std::shared_ptr<const Setup> manyPoints() {
+    return smallSetup(0.05);
 }
 
 /// From now on the process takes more than what it may.
 [[nodiscard]] std::vector<char> useUp(Simulation& simulation) {
-    constexpr std::size_t kBytes = 16'000'000;
+    constexpr std::size_t kBytes = 64'000'000; // more than malloc keeps of what was freed
     simulation.allowMemory(0);
     return std::vector<char>(kBytes, 1);
 }
@@ -38,8 +32,8 @@ bool hasFinding(const Frame& frame) {
 
 TEST(SurfaceMemory, GivesUpASurfaceThatIsTooLargeAndCutsOn) {
     const auto program = programOf(randomProgram(1, 60));
-    const auto allowed = startedSimulation(program, manyRegions(), smallestRegions());
-    auto limited = Simulation::prepare(program, manyRegions(), smallestRegions()).value();
+    const auto allowed = startedSimulation(program, manyPoints(), {});
+    auto limited = Simulation::prepare(program, manyPoints(), {}).value();
     const auto more = useUp(*limited);
     for (const std::size_t block : {0, 1, 23, 60, 11, 12}) {
         if (limited->position() + 1 == block)
@@ -61,39 +55,41 @@ TEST(SurfaceMemory, GivesUpASurfaceThatIsTooLargeAndCutsOn) {
 
 TEST(SurfaceMemory, IsDecimatedAgainWithOtherParameters) {
     const auto program = programOf(randomProgram(2, 60));
-    auto simulation = Simulation::prepare(program, manyRegions(), smallestRegions()).value();
+    auto simulation = Simulation::prepare(program, manyPoints(), {}).value();
     const auto more = useUp(*simulation);
     simulation->seek(40);
     ASSERT_TRUE(hasFinding(simulation->frame()));
     simulation->allowMemory(UINT64_MAX / 2);
-    DecimationParameters larger = smallestRegions();
+    DecimationParameters larger;
     larger.allowance = 0.1;
     apply(*simulation, larger);
     EXPECT_FALSE(hasFinding(simulation->frame()));
-    const auto fresh = startedSimulation(program, manyRegions(), larger);
+    const auto fresh = startedSimulation(program, manyPoints(), larger);
     fresh->seek(40);
     EXPECT_EQ(difference(simulation->frame(), fresh->frame()), "");
 }
 
 TEST(SurfaceMemory, IsGivenUpWhileAProgramIsPlayed) {
-    const auto program = programOf(randomProgram(5, 60));
-    const auto played = startedSimulation(program, manyRegions(), smallestRegions());
+    constexpr std::size_t kBlocks = 300;
+    const auto program = programOf(randomProgram(5, kBlocks));
+    const auto played = startedSimulation(program, manyPoints(), {});
     const auto more = useUp(*played); // the uncut stock was decimated before
-    played->play(60);
+    played->play(kBlocks);
     EXPECT_TRUE(played->settled());
     EXPECT_TRUE(hasFinding(played->frame()));
-    const auto fresh = startedSimulation(program, manyRegions(), smallestRegions());
-    fresh->seek(60);
-    EXPECT_EQ(played->position(), 60U);
+    const auto fresh = startedSimulation(program, manyPoints(), {});
+    fresh->seek(kBlocks);
+    EXPECT_EQ(played->position(), kBlocks);
     EXPECT_TRUE(sameZMap(played->frame().zmap, fresh->frame().zmap));
     EXPECT_EQ(played->frame().findings.size(), fresh->frame().findings.size() + 1);
-    for (std::size_t block = 0; block < 60; ++block)
+    for (std::size_t block = 0; block < kBlocks; ++block)
         EXPECT_EQ(played->rows()[block].removedMm3, fresh->rows()[block].removedMm3) << block;
+    for (std::size_t block = 0; block < kBlocks; ++block)
+        EXPECT_TRUE(played->rows()[block].isPlayed()) << block;
 }
 
 TEST(SurfaceMemory, OfAnEditedProgramStaysGivenUp) {
-    auto simulation =
-        Simulation::prepare(programOf(randomProgram(3, 60)), manyRegions(), smallestRegions()).value();
+    auto simulation = Simulation::prepare(programOf(randomProgram(3, 60)), manyPoints(), {}).value();
     const auto more = useUp(*simulation);
     simulation->seek(40);
     const auto edited = programOf(randomProgram(4, 60));
@@ -101,7 +97,7 @@ TEST(SurfaceMemory, OfAnEditedProgramStaysGivenUp) {
     simulation->seek(60);
     EXPECT_TRUE(simulation->settled());
     EXPECT_TRUE(hasFinding(simulation->frame()));
-    const auto fresh = startedSimulation(edited, manyRegions(), smallestRegions());
+    const auto fresh = startedSimulation(edited, manyPoints(), {});
     fresh->seek(60);
     EXPECT_TRUE(sameZMap(simulation->frame().zmap, fresh->frame().zmap));
 }

@@ -147,10 +147,12 @@ private slots:
     void manyRowsCostLittle();
     void rowsInTheMiddleAreReplacedAlone();
     void extremesAreThoseOfAnyStretch();
+    void appendedRowsKeepTheExtremesOfEarlierRows();
     void columnsReachTheirLowestAndHighestRow();
     void aDrawingLooksAtPixelsAndNotAtRows();
     void tracesOfManyUpdatesAreThoseOfEachRow();
     void onlyShownPlotsAreFilled();
+    void aPlotSwitchedOnInAHiddenPanelIsFilled();
     void fillingsAreUnderTheirCurves();
     void jaggedFillingsCostLittle();
     void panelShowsARunAndExportsIt();
@@ -693,6 +695,15 @@ Extremes extremesByLooking(const std::vector<QCPGraphData>& rows, std::size_t fi
     return found;
 }
 
+void compareExtremes(const RowExtremes& extremes, const std::vector<QCPGraphData>& rows, std::size_t first,
+                     std::size_t end) {
+    const Extremes found = extremes.of(rows, first, end);
+    const Extremes expected = extremesByLooking(rows, first, end);
+    QCOMPARE(found.lowest, expected.lowest);
+    QCOMPARE(found.highest, expected.highest);
+    QCOMPARE(found.lowestAbove0, expected.lowestAbove0);
+}
+
 void PlotsTest::extremesAreThoseOfAnyStretch() {
     std::mt19937 random(9);
     RowExtremes extremes;
@@ -711,12 +722,42 @@ void PlotsTest::extremesAreThoseOfAnyStretch() {
         }
         const std::size_t from = random() % (rows.size() + 1);
         const std::size_t to = from + random() % (rows.size() + 2);
-        const Extremes found = extremes.of(rows, from, to);
-        const Extremes expected = extremesByLooking(rows, from, to);
-        QCOMPARE(found.lowest, expected.lowest);
-        QCOMPARE(found.highest, expected.highest);
-        QCOMPARE(found.lowestAbove0, expected.lowestAbove0);
+        compareExtremes(extremes, rows, from, to);
     }
+}
+
+/// An append that starts exactly at 256, 4096, 65 536 or 1 048 576 rows needs one more level, which must also
+/// contain the rows before it.
+void PlotsTest::appendedRowsKeepTheExtremesOfEarlierRows() {
+    constexpr std::array kFirst{-5000.0, 5000.0, 0.5}; // the extremes of all rows
+    std::mt19937 random(13);
+    RowExtremes extremes;
+    std::vector<QCPGraphData> rows;
+    const auto append = [&](std::size_t count) {
+        const std::size_t first = rows.size();
+        for (std::size_t row = first; row < first + count; ++row)
+            rows.emplace_back(static_cast<double>(row + 1),
+                              row < kFirst.size() ? kFirst[row] : anyValue(random));
+        extremes.update(rows, first, rows.size());
+        compareExtremes(extremes, rows, 0, rows.size());
+        const std::size_t from = random() % rows.size();
+        compareExtremes(extremes, rows, from, from + random() % rows.size());
+    };
+    const auto truncate = [&](std::size_t count) {
+        rows.resize(count);
+        extremes.update(rows, count, count);
+        compareExtremes(extremes, rows, 0, count);
+    };
+    while (rows.size() < 5000)
+        append(1);
+    truncate(256);
+    while (rows.size() < 600)
+        append(1);
+    truncate(0);
+    for (int slice = 0; slice < 9; ++slice) // as many rows at once as a filling plot with two curves
+        append(131'072);
+    truncate(65'536);
+    append(100);
 }
 
 /// Shows the points that are drawn.
@@ -850,6 +891,45 @@ void PlotsTest::onlyShownPlotsAreFilled() {
                           session.program().times().get(),
                           session.program().current().get()};
     compare(shown, input);
+    for (const PlotView* view : panel.views())
+        showPlot(panel, view->spec().id);
+    for (const PlotView* view : panel.views())
+        QTRY_COMPARE_WITH_TIMEOUT(view->rows(), blocks, 30'000);
+}
+
+void PlotsTest::aPlotSwitchedOnInAHiddenPanelIsFilled() {
+    Session session;
+    PlotsPanel panel(session);
+    panel.resize(900, 260);
+    panel.show();
+    QVERIFY(opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
+    QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, 10'000);
+    session.playback().seek(120);
+    QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{120}, 10'000);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.views().front()->rows(), std::size_t{120}, 10'000);
+    QTRY_VERIFY_WITH_TIMEOUT(session.program().times() != nullptr, 10'000);
+    QTest::qWait(100); // until the panel has used the times
+    panel.hide();
+    const auto viewOf = [&](const char* id) {
+        return panel.views()[static_cast<std::size_t>(&plot(id) - plotCatalogue().data())];
+    };
+    PlotView& rate = *viewOf("removal-rate");
+    PlotView& volume = *viewOf("removed-volume");
+    showPlot(panel, "removal-rate");
+    showPlot(panel, "removed-volume");
+    QCOMPARE(rate.rows(), std::size_t{0});
+    QCOMPARE(volume.rows(), std::size_t{0});
+    // An exported picture has all rows, and axes that fit them.
+    QVERIFY(!volume.yAxis->tickLabels());
+    QTemporaryDir folder;
+    QVERIFY(panel.exportTo(volume, folder.filePath(QStringLiteral("volume.svg")), PlotFormat::svg));
+    QCOMPARE(volume.rows(), std::size_t{120});
+    QVERIFY(volume.yAxis->tickLabels());
+    // Nothing has changed since, but the plot is still filled.
+    panel.show();
+    QVERIFY(rate.isVisible());
+    QCOMPARE(rate.rows(), std::size_t{120});
+    QVERIFY(rate.yAxis->tickLabels());
 }
 
 /// Compares with Qt's polygons for simple shapes.

@@ -724,7 +724,7 @@ private slots:
         ProgramSource source(nullptr,
                              [](const NcText& text, const InterpretOptions& options,
                                 const WorkContext& context,
-                                const ResumableInterpreter::Publish&) -> std::shared_ptr<const Program> {
+                                const PublishBeginning&) -> std::shared_ptr<const Program> {
                                  if (text.size() == 0)
                                      throw std::bad_alloc();
                                  return interpret(text, options, context);

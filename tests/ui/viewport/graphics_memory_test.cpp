@@ -95,6 +95,7 @@ void GraphicsMemoryTest::sharesNeverExceedTheWhole() {
         QVERIFY(held <= bytes || shares.slotCount == 0);
         QVERIFY(shares.slotCount <= static_cast<std::size_t>(layers));
         QVERIFY(pages.texels().x <= 8192);
+        QVERIFY(shares.vertices <= 8192 * PointTable::kRow * sizeof(PointTable::Entry)); // rows of a texture
         QCOMPARE(shares.coarse, CoarsePoints::of(grid, shares.coarseStep).bytes());
     }
 }

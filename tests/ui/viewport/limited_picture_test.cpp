@@ -14,6 +14,7 @@
 #include "tests/random_seed.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "tests/ui/viewport/offscreen_picture.h"
+#include "ui/gl/surface_buffer.h"
 #include "ui/viewport/camera.h"
 
 using namespace proveout;
@@ -106,7 +107,10 @@ private slots:
     void uploadsLeaveTheStateOfPainters();
     void theLimitHoldsAtAnyMoment();
     void meshesThatDoNotFitAreLeftOut();
+    void meshesThatOutgrowTheirShareLeaveNoVertices();
+    void slicesOfASurfaceThatDoesNotFitEnd();
     void trianglesThatOutgrowTheLimitLeaveParts();
+    void aFinerGridTakesTheRoomOfTriangles();
     void aDetailRegionCountsToo();
 
 private:
@@ -250,6 +254,62 @@ void LimitedPictureTest::meshesThatDoNotFitAreLeftOut() {
              qPrintable(QStringLiteral("mean %1, strong %2").arg(difference.mean).arg(difference.strong)));
 }
 
+void LimitedPictureTest::meshesThatOutgrowTheirShareLeaveNoVertices() {
+    constexpr std::size_t kLists = kLimit / 5; // GraphicsShares
+    DecimationParameters fine;
+    fine.allowance = 1e-5;
+    FrameBuilder builder(kStock, kSpacing, fine);
+    builder.decimate();
+    const FramePtr flat = builder.frame();
+    QVERIFY(SurfaceBuffer::bytesFor(flat->surface) < kLists);
+    builder.cutAll(part);
+    builder.decimate();
+    const FramePtr cut = builder.frame();
+    QVERIFY(SurfaceBuffer::bytesFor(cut->surface) > kLists);
+
+    const View view = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    OffscreenPicture fresh;
+    OffscreenPicture outgrown;
+    for (OffscreenPicture* picture : {&fresh, &outgrown})
+        picture->renderer().setMemory(kLimit);
+    static_cast<void>(outgrown.draw(flat, view, testOptions()));
+    // The two may hold different pages.
+    const Difference difference =
+        differenceOf(outgrown.draw(cut, view, testOptions()), fresh.draw(cut, view, testOptions()));
+    QVERIFY(outgrown.renderer().coarseness().coarser);
+    QVERIFY2(difference.mean < 1 && difference.strong < 0.01,
+             qPrintable(QStringLiteral("mean %1, strong %2").arg(difference.mean).arg(difference.strong)));
+}
+
+void LimitedPictureTest::slicesOfASurfaceThatDoesNotFitEnd() {
+    constexpr int kMostCalls = 2000;
+    DecimationParameters fine;
+    fine.allowance = 1e-5;
+    FrameBuilder builder({{0, 0, 0}, 20, 14, 20}, kSpacing, fine);
+    builder.cutAll([](double x, double y) { return -2 + std::sin(x) * std::cos(y); });
+    builder.decimate();
+    const FramePtr frame = builder.frame();
+    // Makes the context current.
+    static_cast<void>(limited(frame, cameraAt(StandardView::top, false).view(stockBox())));
+    Gl& gl = *currentGl();
+    const UploadBudget oneRegion(std::chrono::seconds(0));
+    SurfaceBuffer buffer;
+    buffer.setLimit(SurfaceBuffer::bytesFor(frame->surface) / 4);
+    int calls = 0;
+    for (bool fits = true; fits && calls < kMostCalls; ++calls)
+        fits = buffer.update(gl, frame->surface, oneRegion).fits;
+    QVERIFY(calls < kMostCalls);
+
+    buffer.setLimit(2 * SurfaceBuffer::bytesFor(frame->surface));
+    SurfaceBuffer::Uploaded uploaded;
+    calls = 0;
+    do {
+        uploaded = buffer.update(gl, frame->surface, oneRegion);
+    } while (uploaded.fits && !uploaded.whole && ++calls < kMostCalls);
+    QVERIFY(uploaded.fits && uploaded.whole);
+    buffer.release(gl);
+}
+
 void LimitedPictureTest::trianglesThatOutgrowTheLimitLeaveParts() {
     DecimationParameters fine;
     fine.allowance = 1e-5;
@@ -266,6 +326,22 @@ void LimitedPictureTest::trianglesThatOutgrowTheLimitLeaveParts() {
         QVERIFY(differenceOf(picture, unlimited(builder.frame(), view)).mean < 3);
     }
     QVERIFY(coarser());
+}
+
+void LimitedPictureTest::aFinerGridTakesTheRoomOfTriangles() {
+    DecimationParameters fine;
+    fine.allowance = 1e-5;
+    FrameBuilder many(kStock, 0.5, fine); // 0.1 million bytes of heights, most of the rest is for triangles
+    many.cutAll(part);
+    many.decimate();
+    const View view = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    static_cast<void>(limited(many.frame(), view));
+    QVERIFY2(held() > 420'000, qPrintable(QString::number(held())));
+    FrameBuilder finer(kStock, 0.2); // 0.7 million bytes of heights
+    finer.decimate();
+    static_cast<void>(limited(finer.frame(), view));
+    QVERIFY2(held() <= kLimit, qPrintable(QString::number(held())));
+    QVERIFY(!coarser());
 }
 
 void LimitedPictureTest::aDetailRegionCountsToo() {
