@@ -34,6 +34,9 @@ TEST(LatticeNumbers, countInTheOrderOfTheFirstUse) {
 
 /// The map of a panel of 2 m² at 0.1 mm, of which a decimated mesh uses one point of two thousand.
 TEST(LatticeNumbers, ofFewPointsNeedLittleMemory) {
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
     constexpr std::uint32_t kPoints = 200'000'000;
     constexpr std::uint32_t kUsed = 100'000;
     const std::uint64_t before = residentMemoryBytes();

@@ -171,8 +171,10 @@ private slots:
     void whatFailsNamesTheFile() {
         QTemporaryDir folder;
         const Frame frame = uncutFrame();
+        ExportOptions full;
+        full.decimated = false;
         const auto reportedFor = [&](const QString& file, const WorkContext& context, double memory) {
-            const Result<ExportSummary> result = exportFrame(frame, file, {}, context, memory);
+            const Result<ExportSummary> result = exportFrame(frame, file, full, context, memory);
             return result ? QString() : sentence(result.error().front());
         };
         std::stop_source stopped;
