@@ -10,6 +10,7 @@
 
 #include "core/base/figures_argument.h"
 #include "core/base/memory.h"
+#include "core/decimation/regions/region_mesh.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/verification/findings/window_findings.h"
 
