@@ -19,6 +19,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/records_csv.h"
 #include "app/cli/report.h"
+#include "app/cli/run_json.h"
 #include "app/cli/setup_options.h"
 #include "app/cli/stop_block.h"
 #include "app/cli/thread_limit.h"
@@ -227,7 +228,8 @@ private:
     /// Intermediate surfaces are needed only for records or if a period was given: the outputs are decimated
     /// as a whole anyway.
     [[nodiscard]] bool followsSchedule() const {
-        return !m_options.records.empty() || m_options.setup.decimation().given("period");
+        const bool given = m_options.setup.decimation().given("period") && m_job.parameters.period != 0;
+        return !m_options.records.empty() || given;
     }
 
     /// The parameters of the surface during the simulation.
@@ -338,7 +340,7 @@ private:
               {"hy", grid.hy},
               {"spacing", m_job.setup.spacing},
               {"automatic", m_job.setup.automaticGrid}}},
-            {"startTool", startTool()},
+            {"startTool", startToolAsJson(*m_program, m_job.setup)},
             {"tools", toolsAsJson(m_job.setup.tools)},
             {"removedMm3", m_frame.removedMm3},
             {"machineSeconds",
@@ -367,61 +369,13 @@ private:
             {"expectedBytes", std::llround(expectedMapBytes(grid, scheduled(), mapOutputs()))},
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
-        out["records"] = totals();
+        out["records"] = totalsAsJson(m_totals, *m_program, m_frame.setup);
         m_options.meshes.addTo(out, m_surface.written());
         if (m_options.box.wanted())
             out["box"] = m_options.box.object();
-        out["ignoredCodes"] = ignoredCodes();
+        out["ignoredCodes"] = ignoredCodesAsJson(*m_program);
         out["findings"] = m_report.findings();
         out["unverified"] = m_report.unverified();
-        return out;
-    }
-
-    [[nodiscard]] nlohmann::ordered_json startTool() const {
-        const std::optional<int> assumed = assumedTool(*m_program, m_job.setup);
-        if (!assumed && !m_job.setup.startTool)
-            return nullptr;
-        return {{"number", assumed ? *assumed : *m_job.setup.startTool}, {"assumed", assumed.has_value()}};
-    }
-
-    [[nodiscard]] nlohmann::ordered_json ignoredCodes() const {
-        auto list = nlohmann::ordered_json::array();
-        for (const auto& [number, code] : m_program->ignoredCodes()) {
-            const bool known = *code.name != '\0';
-            list.push_back({{"code", fmt::format("M{}", number)},
-                            {"meaning", known ? nlohmann::ordered_json(code.name) : nullptr},
-                            {"by", known ? "dialect" : "setup"},
-                            {"count", code.count},
-                            {"lines", code.lines}});
-        }
-        return list;
-    }
-
-    [[nodiscard]] nlohmann::ordered_json totals() const {
-        const RunTotals& totals = m_totals;
-        const auto extreme = [&](const RunTotals::Extreme& of) -> nlohmann::ordered_json {
-            if (of.value <= 0)
-                return nullptr;
-            return {{"mm", of.value}, {"block", of.block + 1}, {"line", m_program->blockLine(of.block)}};
-        };
-        return {{"cuttingLengthMm", totals.cuttingLength},
-                {"airLengthMm", totals.airLength},
-                {"rapidLengthMm", totals.rapidLength},
-                {"cuttingBlocks", totals.cuttingBlocks},
-                {"airBlocksAtFeed", totals.airBlocks},
-                {"contacts", totals.contacts},
-                {"axialDepth", extreme(totals.axialDepth)},
-                {"radialEngagement", extreme(totals.radialEngagement)},
-                {"firstContact", firstContact(totals)}};
-    }
-
-    [[nodiscard]] nlohmann::ordered_json firstContact(const RunTotals& totals) const {
-        if (!totals.firstContact)
-            return nullptr;
-        const std::size_t block = *totals.firstContact;
-        nlohmann::ordered_json out{{"block", block + 1}, {"line", m_program->blockLine(block)}};
-        if (const auto place = contactPlace(m_frame.setup, *m_program, block))
-            out.update({{"x", place->x}, {"y", place->y}, {"z", place->z}});
         return out;
     }
 

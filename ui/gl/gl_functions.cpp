@@ -17,6 +17,17 @@ Gl* currentGl() {
     return gl != nullptr && gl->initializeOpenGLFunctions() ? gl : nullptr;
 }
 
+void bindTexture(Gl& gl, GLenum target, GLuint& texture, GLint filter) {
+    if (texture == 0)
+        gl.glGenTextures(1, &texture);
+    gl.glBindTexture(target, texture);
+    gl.glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+    gl.glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
+    gl.glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
 void forgetErrors(Gl& gl) {
     constexpr int kMost = 16; // a lost context reports one for ever
     for (int k = 0; k < kMost && gl.glGetError() != GL_NO_ERROR; ++k) {

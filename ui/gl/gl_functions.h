@@ -17,6 +17,9 @@ using Gl = QOpenGLFunctions_3_3_Core;
 /// Drops the errors of earlier calls, so that the next one is that of the calls that follow.
 void forgetErrors(Gl& gl);
 
+/// Creates a texture unless it exists, and binds it: one level, edges extended, `filter` in both directions.
+void bindTexture(Gl& gl, GLenum target, GLuint& texture, GLint filter);
+
 /// An offset in the bound buffer, in bytes. OpenGL expects it as a pointer, because its interface is older
 /// than buffers.
 [[nodiscard]] inline const void* bufferPlace(std::size_t bytes) {

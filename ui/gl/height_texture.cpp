@@ -48,15 +48,8 @@ bool HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
     m_pages = pagesOf(gl, m_grid);
     m_floor = moment.floor();
     m_tiles.reset(moment.tileCount());
-    if (m_texture == 0)
-        gl.glGenTextures(1, &m_texture);
-    gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_texture);
     // The vertex shader fetches single points; shading interpolates between them.
-    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    bindTexture(gl, GL_TEXTURE_2D_ARRAY, m_texture, GL_LINEAR);
     // After the parameters are set, because a driver allocates the mipmap levels that they require.
     forgetErrors(gl);
     gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y, m_pages.count(),

@@ -12,17 +12,6 @@ namespace {
 constexpr std::int16_t kNoLayer = -1;
 constexpr GLint kUsualAlignment = 4;
 
-void makeTexture(Gl& gl, GLenum target, GLuint& texture, GLint filter) {
-    if (texture == 0)
-        gl.glGenTextures(1, &texture);
-    gl.glBindTexture(target, texture);
-    gl.glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
-    gl.glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
-    gl.glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
 } // namespace
 
 bool PartialHeights::restart(Gl& gl, const ZMapSnapshot& moment, const GraphicsShares& shares) {
@@ -34,16 +23,16 @@ bool PartialHeights::restart(Gl& gl, const ZMapSnapshot& moment, const GraphicsS
     m_residency.reset(count, std::min(shares.slotCount, count));
     m_tiles.reset(moment.tileCount());
     forgetErrors(gl);
-    makeTexture(gl, GL_TEXTURE_2D, m_coarse, GL_LINEAR);
+    bindTexture(gl, GL_TEXTURE_2D, m_coarse, GL_LINEAR);
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m_points.count.x, m_points.count.y, 0, GL_RED, GL_FLOAT,
                     nullptr);
-    makeTexture(gl, GL_TEXTURE_2D, m_layers, GL_NEAREST);
+    bindTexture(gl, GL_TEXTURE_2D, m_layers, GL_NEAREST);
     const std::vector<std::int16_t> none(count, kNoLayer);
     gl.glPixelStorei(GL_UNPACK_ALIGNMENT, sizeof(std::int16_t));
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R16I, m_pages.columns, m_pages.rows, 0, GL_RED_INTEGER, GL_SHORT,
                     none.data());
     gl.glPixelStorei(GL_UNPACK_ALIGNMENT, kUsualAlignment); // QPainter uploads its letters with it
-    makeTexture(gl, GL_TEXTURE_2D_ARRAY, m_held, GL_LINEAR);
+    bindTexture(gl, GL_TEXTURE_2D_ARRAY, m_held, GL_LINEAR);
     if (capacity() > 0)
         gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y,
                         static_cast<GLsizei>(capacity()), 0, GL_RED, GL_FLOAT, nullptr);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <sstream>
-#include <tuple>
 #include <vector>
 
 #include "tests/core/simulation/moments.h"
@@ -53,12 +52,6 @@ std::string sentences(const Diagnostics& diagnostics) {
     for (const auto& diagnostic : diagnostics)
         text += oneLine(diagnostic) + "\n";
     return text;
-}
-
-/// All values of a row except times.
-auto outcome(const BlockStatistics& row) {
-    return std::make_tuple(row.facesShown, row.facesFull, row.regionsDirty, row.regionsDecimated,
-                           row.maxDepth, row.radialEngagement, row.removedMm3);
 }
 
 TEST(Edit, ContinuesLikeAFreshRun) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/simulation/run/simulation.h"
@@ -26,6 +27,12 @@ void apply(Simulation& simulation, std::shared_ptr<const Program> program);
 /// Empty if two frames show the same moment: z-map bit for bit, the same dirty regions, triangles, borders
 /// and counts. Otherwise describes the difference.
 [[nodiscard]] std::string difference(const Frame& a, const Frame& b);
+
+/// All values of a row except times.
+[[nodiscard]] inline auto outcome(const BlockStatistics& row) {
+    return std::make_tuple(row.facesShown, row.facesFull, row.regionsDirty, row.regionsDecimated,
+                           row.maxDepth, row.radialEngagement, row.removedMm3);
+}
 
 [[nodiscard]] bool sameZMap(const ZMapSnapshot& a, const ZMapSnapshot& b);
 

@@ -11,7 +11,6 @@
 #include <stop_token>
 #include <string>
 #include <thread>
-#include <tuple>
 #include <vector>
 
 #include "core/cutter/cutter.h"
@@ -237,12 +236,6 @@ TEST(Play, MeasuresWhatASeekHasPassed) {
         EXPECT_EQ(row.regionsDecimated, wanted.regionsDecimated) << k;
     }
     EXPECT_EQ(difference(simulation->frame(), straight.back()), "");
-}
-
-/// All values of a row except times.
-auto outcome(const BlockStatistics& row) {
-    return std::make_tuple(row.facesShown, row.facesFull, row.regionsDirty, row.regionsDecimated,
-                           row.maxDepth, row.radialEngagement, row.removedMm3);
 }
 
 /// The surface of many moments is made at once, while the blocks after them are cut.

@@ -50,20 +50,8 @@ FrameBuilder cutPart(const DecimationParameters& parameters = {}) {
     return builder;
 }
 
-SceneOptions testOptions() {
-    SceneOptions options;
-    options.colours.backdropTop = options.colours.backdropBottom = {1, 0, 1};
-    options.path = PathShown::none;
-    return options;
-}
-
 Camera cameraAt(StandardView view, bool perspective, int width = 480, int height = 300) {
-    Camera camera;
-    camera.setPicture(width, height, 1);
-    camera.setPerspective(perspective);
-    camera.setStandardView(view);
-    camera.fit(stockBox());
-    return camera;
+    return cameraFitted(stockBox(), view, perspective, width, height);
 }
 
 struct Difference {

@@ -43,4 +43,20 @@ QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const Sce
     return target.toImage().convertToFormat(QImage::Format_RGB32);
 }
 
+SceneOptions testOptions() {
+    SceneOptions options;
+    options.colours.backdropTop = options.colours.backdropBottom = {1, 0, 1};
+    options.path = PathShown::none;
+    return options;
+}
+
+Camera cameraFitted(const Box3& box, StandardView view, bool perspective, int width, int height) {
+    Camera camera;
+    camera.setPicture(width, height, 1);
+    camera.setPerspective(perspective);
+    camera.setStandardView(view);
+    camera.fit(box);
+    return camera;
+}
+
 } // namespace proveout

@@ -9,6 +9,7 @@
 #include <QOpenGLContext>
 
 #include "ui/gl/scene_renderer.h"
+#include "ui/viewport/camera.h"
 
 namespace proveout {
 
@@ -37,5 +38,11 @@ private:
     UploadCounts m_uploaded;
     int m_samples = 0;
 };
+
+/// A backdrop of a colour that no stock has, and no path.
+[[nodiscard]] SceneOptions testOptions();
+
+/// A camera that shows all of a box; pixels.
+[[nodiscard]] Camera cameraFitted(const Box3& box, StandardView view, bool perspective, int width, int height);
 
 } // namespace proveout

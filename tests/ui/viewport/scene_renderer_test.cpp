@@ -29,24 +29,12 @@ Box3 stockBox() {
     return box;
 }
 
-SceneOptions testOptions() {
-    SceneOptions options;
-    options.colours.backdropTop = options.colours.backdropBottom = {1, 0, 1};
-    options.path = PathShown::none;
-    return options;
-}
-
 bool isBackdrop(QRgb pixel) {
     return qRed(pixel) > 250 && qGreen(pixel) < 5 && qBlue(pixel) > 250;
 }
 
 Camera cameraAt(StandardView view, bool perspective, int width = 640, int height = 400) {
-    Camera camera;
-    camera.setPicture(width, height, 1);
-    camera.setPerspective(perspective);
-    camera.setStandardView(view);
-    camera.fit(stockBox());
-    return camera;
+    return cameraFitted(stockBox(), view, perspective, width, height);
 }
 
 QRgb pixelAt(const QImage& picture, const Camera& camera, const Vec3& point) {
