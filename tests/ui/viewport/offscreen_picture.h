@@ -43,6 +43,7 @@ private:
 [[nodiscard]] SceneOptions testOptions();
 
 /// A camera that shows all of a box; pixels.
-[[nodiscard]] Camera cameraFitted(const Box3& box, StandardView view, bool perspective, int width, int height);
+[[nodiscard]] Camera cameraFitted(const Box3& box, StandardView view, bool perspective, int width,
+                                  int height);
 
 } // namespace proveout
