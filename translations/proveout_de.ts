@@ -9794,6 +9794,14 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Ein Shader ließ sich nicht kompilieren; siehe Protokoll.</translation>
     </message>
     <message>
+        <source>The picture is being prepared.</source>
+        <translation>Die Darstellung wird vorbereitet.</translation>
+    </message>
+    <message>
+        <source>The picture is coarser than the grid, because the surface has %L1 triangles. Decimation reduces them.</source>
+        <translation>Die Darstellung ist gröber als das Raster, weil die Oberfläche %L1 Dreiecke hat. Eine Dezimierung verringert sie.</translation>
+    </message>
+    <message>
         <source>The picture is coarser than the grid. Zoom in, or allow more graphics memory.</source>
         <translation>Die Darstellung ist gröber als das Raster. Näher heranzoomen oder mehr Grafikspeicher erlauben.</translation>
     </message>

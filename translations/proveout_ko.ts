@@ -9793,6 +9793,14 @@ Default: the next free number</source>
         <translation>셰이더를 컴파일하지 못했습니다. 로그를 확인하십시오.</translation>
     </message>
     <message>
+        <source>The picture is being prepared.</source>
+        <translation>그림을 준비하고 있습니다.</translation>
+    </message>
+    <message>
+        <source>The picture is coarser than the grid, because the surface has %L1 triangles. Decimation reduces them.</source>
+        <translation>표면의 삼각형이 %L1개여서 그림이 격자보다 거칩니다. 단순화하면 줄어듭니다.</translation>
+    </message>
+    <message>
         <source>The picture is coarser than the grid. Zoom in, or allow more graphics memory.</source>
         <translation>그림이 격자보다 거칩니다. 확대하거나 그래픽 메모리를 더 허용하십시오.</translation>
     </message>

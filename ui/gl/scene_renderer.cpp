@@ -37,8 +37,12 @@ SceneRenderer::SceneRenderer(Gl& gl, int mostTexturePoints)
     m_gl.glGenVertexArrays(1, &m_emptyArray);
 }
 
-UploadCounts SceneRenderer::upload(const FramePtr& frame) {
+UploadCounts SceneRenderer::upload(const FramePtr& newest, const UploadBudget& budget) {
+    // A frame that is replaced before it is complete would never be shown while a program is played.
+    const bool continues = m_framePending && newest != nullptr && newest->zmap.grid() == m_frame->zmap.grid();
+    const FramePtr frame = continues ? m_frame : newest;
     m_frame = frame;
+    m_framePending = false;
     if (frame == nullptr)
         return {};
     m_path.setPosition(frame->program, frame->block);
@@ -47,9 +51,15 @@ UploadCounts SceneRenderer::upload(const FramePtr& frame) {
     m_gridFits = m_surface.fits(m_gl, frame->zmap.grid());
     if (!m_gridFits || frame->zmap.tileCount() == 0)
         return {};
-    const UploadCounts counts = m_surface.upload(m_gl, *frame);
+    const UploadCounts counts = m_surface.upload(m_gl, *frame, budget);
     m_gridFits = counts.fits;
+    m_framePending = counts.fits && !counts.whole;
     return counts;
+}
+
+void SceneRenderer::setMostTriangles(std::size_t triangles) {
+    m_surface.setMostTriangles(triangles);
+    m_boxSurface.setMostTriangles(triangles);
 }
 
 void SceneRenderer::setMemory(std::size_t bytes) {
@@ -58,14 +68,14 @@ void SceneRenderer::setMemory(std::size_t bytes) {
 }
 
 /// A detail region gets a quarter: it is a small part of the stock, but much finer.
-void SceneRenderer::shareMemory(bool withBox) {
+void SceneRenderer::shareMemory(bool withBox, const UploadBudget& budget) {
     const bool changed = withBox != m_shared;
     m_shared = withBox;
     const std::size_t ofBox = m_memory / 4;
     m_surface.setLimit(withBox ? m_memory - ofBox : m_memory);
     m_boxSurface.setLimit(ofBox);
     if (changed)
-        upload(m_frame);
+        upload(m_frame, budget);
 }
 
 void SceneRenderer::refine(const View& view, const UploadBudget& budget) {
@@ -83,7 +93,11 @@ void SceneRenderer::refine(const View& view, const UploadBudget& budget) {
 bool SceneRenderer::uploadBox(const FramePtr& box, const UploadBudget& budget) {
     m_boxPending = false;
     if (box != nullptr && !m_shared)
-        shareMemory(true);
+        shareMemory(true, budget);
+    if (box != nullptr && m_framePending) {
+        m_boxPending = true;
+        return true;
+    }
     const bool drawn = box != nullptr && m_frame != nullptr && m_boxSurface.fits(m_gl, box->zmap.grid());
     if (!drawn) {
         m_box.reset();
@@ -136,7 +150,7 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
     m_gl.glBindVertexArray(m_emptyArray);
     m_gl.glDisable(GL_CULL_FACE);
     drawBackdrop(options);
-    if (m_frame != nullptr) {
+    if (m_frame != nullptr && !m_framePending) {
         m_gl.glEnable(GL_DEPTH_TEST);
         m_gl.glDepthFunc(GL_LESS);
         m_gl.glEnable(GL_CULL_FACE);
@@ -182,10 +196,10 @@ void SceneRenderer::freeBox() {
     m_boxFrame.release(m_gl);
 }
 
-void SceneRenderer::releaseBox() {
+void SceneRenderer::releaseBox(const UploadBudget& budget) {
     freeBox();
     if (m_shared)
-        shareMemory(false);
+        shareMemory(false, budget);
 }
 
 void SceneRenderer::release() {

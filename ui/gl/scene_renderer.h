@@ -27,12 +27,20 @@ public:
     void setMemory(std::size_t bytes);
     /// Those that are held.
     [[nodiscard]] std::size_t memoryHeld() const { return m_surface.bytes() + m_boxSurface.bytes(); }
+    /// The triangles of the stock that are drawn at most (SurfaceRenderer); without a call, any number.
+    void setMostTriangles(std::size_t triangles);
     /// Uploads what differs from the previous frame. If the driver cannot hold the heights of
-    /// the grid, no stock is drawn and gridFits() is false.
-    UploadCounts upload(const FramePtr& frame);
+    /// the grid, no stock is drawn and gridFits() is false. If the budget is too small, the next call
+    /// continues, with the same frame unless the other one has another grid; until it is complete, only the
+    /// backdrop is drawn.
+    UploadCounts upload(const FramePtr& frame, const UploadBudget& budget = {});
+    /// Whether the uploaded frame is not complete.
+    [[nodiscard]] bool framePending() const { return m_framePending; }
+    /// The frame that was uploaded, perhaps in part.
+    [[nodiscard]] const FramePtr& frame() const { return m_frame; }
     /// Sets a detail region, whose z-map and surface are drawn in place of that part of the uploaded frame;
-    /// null: none. It is drawn once it is complete, which may take several calls. Returns false if the driver
-    /// cannot hold its heights; it is not drawn then.
+    /// null: none. It is drawn once it is complete, which may take several calls; the frame may then be
+    /// incomplete too. Returns false if the driver cannot hold its heights; it is not drawn then.
     bool uploadBox(const FramePtr& box, const UploadBudget& budget = {});
     /// Loads what this view of the uploaded frame and detail region needs, if not all heights fit the memory.
     /// Call it before draw().
@@ -45,8 +53,9 @@ public:
     /// take several calls for a long program. Needs no context.
     void advancePath(const UploadBudget& budget) { m_path.advanceOverview(budget); }
     [[nodiscard]] bool pathPending() const { return m_path.overviewPending(); }
-    /// Frees the GPU resources of a detail region that is no longer needed.
-    void releaseBox();
+    /// Frees the GPU resources of a detail region that is no longer needed. The frame may use the memory, and
+    /// then be incomplete.
+    void releaseBox(const UploadBudget& budget = {});
     /// Draws the uploaded frame, or only the backdrop. Sets viewport, depth and culling; leaves blending and
     /// depth test off and no program bound, as QPainter expects.
     void draw(const View& view, const SceneOptions& options);
@@ -65,7 +74,7 @@ private:
     void drawBox(const View& view, const SceneOptions& options, const StockView& stockView,
                  const Vec3& origin);
     void drawBackdrop(const SceneOptions& options);
-    void shareMemory(bool withBox);
+    void shareMemory(bool withBox, const UploadBudget& budget = {});
     void freeBox();
 
     Gl& m_gl;
@@ -75,6 +84,7 @@ private:
     PathRenderer m_path;
     GLuint m_emptyArray = 0; ///< for vertices that the shader computes from their index alone
     FramePtr m_frame;
+    bool m_framePending = false;
     SurfaceRenderer m_boxSurface;
     BoxFrame m_boxFrame;
     FramePtr m_box;

@@ -73,6 +73,7 @@ UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame, const UploadBud
     m_grid = frame.zmap.grid();
     m_floor = frame.zmap.floor();
     m_regionCells = frame.surface.grid.cells();
+    m_tooMany = stepFor(frame.surface) > 1;
     if (m_partPrograms)
         return uploadParts(gl, frame, budget);
     UploadCounts counts = uploadWhole(gl, frame, budget);
@@ -105,8 +106,11 @@ UploadCounts SurfaceRenderer::uploadWhole(Gl& gl, const Frame& frame, const Uplo
     counts.bytes = heights.bytes;
     counts.whole = heights.whole;
     counts.fits = heights.fits;
-    if (counts.whole && counts.fits)
-        counts.fits = uploadSurface(gl, frame.surface, budget, counts);
+    if (!counts.whole || !counts.fits)
+        return counts;
+    m_sampled = m_tooMany;
+    counts.fits = uploadSurface(gl, m_sampled ? bare(frame.surface) : frame.surface, budget, counts,
+                                stepFor(frame.surface));
     return counts;
 }
 
@@ -123,14 +127,24 @@ UploadCounts SurfaceRenderer::uploadParts(Gl& gl, const Frame& frame, const Uplo
         return counts;
     m_sampled = m_sampling || !uploadMeshes(gl, frame, budget, counts);
     if (m_sampled)
-        counts.fits = uploadSurface(gl, bare(frame.surface), budget, counts, m_shares.coarseStep);
+        counts.fits = uploadSurface(gl, bare(frame.surface), budget, counts,
+                                    std::max(m_shares.coarseStep, stepFor(frame.surface)));
     m_sampling = m_sampled && counts.fits && !counts.whole;
     return counts;
 }
 
+int SurfaceRenderer::stepFor(const SurfaceSnapshot& surface) const {
+    if (surface.faces <= m_mostTriangles)
+        return 1;
+    std::size_t step = 2;
+    while (surface.facesFull / (step * step) > m_mostTriangles)
+        step *= 2;
+    return static_cast<int>(step);
+}
+
 bool SurfaceRenderer::uploadMeshes(Gl& gl, const Frame& frame, const UploadBudget& budget,
                                    UploadCounts& counts) {
-    if (SurfaceBuffer::bytesFor(frame.surface) > m_shares.lists) {
+    if (m_tooMany || SurfaceBuffer::bytesFor(frame.surface) > m_shares.lists) {
         m_parts.dropVertices(gl);
         return false;
     }
@@ -149,7 +163,7 @@ const SurfaceSnapshot& SurfaceRenderer::bare(const SurfaceSnapshot& surface) {
 
 Coarseness SurfaceRenderer::refine(Gl& gl, const Frame& frame, const View& view, const UploadBudget& budget) {
     if (!m_partPrograms)
-        return {};
+        return {.coarser = m_sampled, .tooManyTriangles = m_tooMany};
     const Vec3 origin(m_grid.x0, m_grid.y0, frame.zmap.stock().floorZ());
     const bool fromBelow = view.perspective ? view.eye.z < origin.z : view.eye.z < 0;
     const std::vector<VisiblePage> visible =
@@ -157,7 +171,9 @@ Coarseness SurfaceRenderer::refine(Gl& gl, const Frame& frame, const View& view,
                      {view.clipFromWorld * glm::translate(glm::dmat4(1), origin), view.pixels});
     const std::vector<int> pages = pagesToHold(visible, m_shares.coarseStep, m_parts.capacity());
     const bool held = m_parts.hold(gl, frame.zmap, pages, budget);
-    return {m_sampled || !held || pages.size() < visible.size(), !held};
+    return {.coarser = m_sampled || !held || pages.size() < visible.size(),
+            .tooManyTriangles = m_tooMany,
+            .pending = !held};
 }
 
 void SurfaceRenderer::setStock(Gl& gl, ShaderProgram& program, const SceneOptions& options) {

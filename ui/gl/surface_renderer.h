@@ -28,14 +28,16 @@ struct UploadCounts {
 
 /// What a picture lacks.
 struct Coarseness {
-    bool coarser = false; ///< not every point of the grid in the view is used
-    bool pending = false; ///< another call makes it finer
+    bool coarser = false;          ///< not every point of the grid in the view is used
+    bool tooManyTriangles = false; ///< because the surface has more triangles than are drawn
+    bool pending = false;          ///< another call makes it finer
 };
 
 /// Draws the stock: top surface, walls, underside. Its heights and triangles take no more bytes on the GPU
 /// than allowed: where all heights do not fit, the stock is drawn from coarser points, with exact vertices of
 /// the decimated meshes, and from all points in the view if these fit (PartialHeights). If the meshes do not
-/// fit either, the surface consists of the coarser points. All methods need the same context to be current.
+/// fit either, or there are more triangles than allowed, the surface consists of the coarser points. All
+/// methods need the same context to be current.
 class SurfaceRenderer {
 public:
     /// `mostTexturePoints`: HeightTexture.
@@ -44,6 +46,9 @@ public:
     [[nodiscard]] bool valid() const { return m_programs.valid(); }
     /// The bytes that are allowed from the next upload on; without a call, any number.
     void setLimit(std::size_t bytes);
+    /// The triangles that are drawn at most, as long as a region has at least two; without a call, any
+    /// number.
+    void setMostTriangles(std::size_t triangles) { m_mostTriangles = triangles; }
     /// The bytes of heights and triangles that are held now.
     [[nodiscard]] std::size_t bytes() const;
     /// Whether the driver can hold the heights of that many points, all or in parts.
@@ -68,6 +73,8 @@ private:
     void holdParts(Gl& gl, const Grid& grid);
     [[nodiscard]] UploadCounts uploadWhole(Gl& gl, const Frame& frame, const UploadBudget& budget);
     [[nodiscard]] UploadCounts uploadParts(Gl& gl, const Frame& frame, const UploadBudget& budget);
+    /// The step between the points at which a surface has few enough triangles; 1: as it is.
+    [[nodiscard]] int stepFor(const SurfaceSnapshot& surface) const;
     /// Uploads the meshes and the heights of their vertices. False if they do not fit.
     [[nodiscard]] bool uploadMeshes(Gl& gl, const Frame& frame, const UploadBudget& budget,
                                     UploadCounts& counts);
@@ -83,12 +90,14 @@ private:
     SurfacePrograms m_programs;
     std::optional<SurfacePrograms> m_partPrograms; ///< empty while all heights are held
     std::size_t m_limit = std::numeric_limits<std::size_t>::max();
+    std::size_t m_mostTriangles = std::numeric_limits<std::size_t>::max();
     bool m_chosen = false;
     PartialHeights m_parts;
     GraphicsShares m_shares;
     SurfaceSnapshot m_bare;
     bool m_sampled = false;  ///< the surface consists of the coarser points
     bool m_sampling = false; ///< and it is not complete yet
+    bool m_tooMany = false;  ///< because of its triangles
     int m_mostTexturePoints;
     HeightTexture m_heights;
     SurfaceBuffer m_surface;

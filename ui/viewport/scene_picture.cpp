@@ -2,6 +2,8 @@
 #include "ui/viewport/scene_picture.h"
 
 #include <chrono>
+#include <cstdint>
+#include <utility>
 
 #include <QElapsedTimer>
 #include <QOpenGLContext>
@@ -14,9 +16,14 @@ namespace proveout {
 namespace {
 
 constexpr int kRestMilliseconds = 250;
-/// The longest time for which one upload of a detail region, or of points in the view, may block the UI
-/// thread.
+/// The longest time for which one upload of a large frame, of a detail region, or of points in the view, may
+/// block the UI thread.
 constexpr std::chrono::milliseconds kUploadAtOnce{25};
+/// A frame with so many points is large.
+constexpr std::int64_t kLargeFrame = 8'000'000;
+/// More triangles are not drawn within a quarter of a second in software, or in a frame otherwise.
+constexpr std::size_t kMostTrianglesInSoftware = std::size_t{1} << 22;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 25;
 /// In software, an antialiased image takes about this many times as long as a plain one …
 constexpr double kSmoothCost = 4;
 /// … and must not block the window for longer than this.
@@ -24,6 +31,15 @@ constexpr double kLongestSmoothSeconds = 0.25;
 
 double seconds(const QElapsedTimer& timer) {
     return static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+}
+
+bool isLarge(const FramePtr& frame) {
+    return frame != nullptr &&
+           static_cast<std::int64_t>(frame->zmap.grid().nx) * frame->zmap.grid().ny >= kLargeFrame;
+}
+
+UploadBudget budgetFor(const FramePtr& frame) {
+    return isLarge(frame) ? UploadBudget(kUploadAtOnce) : UploadBudget();
 }
 
 } // namespace
@@ -50,8 +66,10 @@ void ScenePicture::initialize() {
     // is called again for the new one.
     connect(m_widget.context(), &QOpenGLContext::aboutToBeDestroyed, this, &ScenePicture::release);
     m_renderer = SceneRenderer::create();
-    if (m_renderer != nullptr)
-        m_renderer->setMemory(m_memory);
+    if (m_renderer == nullptr)
+        return;
+    m_renderer->setMemory(m_memory);
+    m_renderer->setMostTriangles(m_software ? kMostTrianglesInSoftware : kMostTriangles);
 }
 
 void ScenePicture::setMemory(std::size_t bytes) {
@@ -64,6 +82,7 @@ void ScenePicture::setMemory(std::size_t bytes) {
 void ScenePicture::release() {
     m_widget.makeCurrent();
     m_smoothTarget.reset();
+    m_kept.reset();
     if (m_renderer != nullptr)
         m_renderer->release();
     m_renderer.reset();
@@ -76,39 +95,72 @@ void ScenePicture::repaintSoon() {
     m_widget.update();
 }
 
-ScenePicture::Seconds ScenePicture::paint(const View& view, const FramePtr& frame) {
+std::optional<ScenePicture::Seconds> ScenePicture::paint(const View& view, const FramePtr& frame) {
     if (m_renderer == nullptr)
-        return {};
+        return Seconds();
+    m_view = view;
+    m_frame = frame;
+    upload();
+    if (workPending())
+        m_uploading.start(0);
+    m_empty = false;
+    if (m_renderer->framePending()) {
+        showKeptImage();
+        return std::nullopt;
+    }
     Seconds took;
+    took.upload = std::exchange(m_uploadSeconds, 0);
     QElapsedTimer timer;
     timer.start();
-    upload(view, frame);
-    // Waiting for the GPU costs nothing at 30 frames per second and makes the measured times reliable.
-    m_renderer->finish();
-    took.upload = seconds(timer);
-    timer.restart();
     draw(view);
     m_renderer->finish();
     took.draw = seconds(timer);
     if (!m_smooth)
         m_plainSeconds = took.draw;
-    if (workPending())
-        m_uploading.start(0);
+    keepImage();
     const bool worthIt = m_software && kSmoothCost * m_plainSeconds < kLongestSmoothSeconds;
     if (worthIt && !m_smooth && frame != nullptr && !frame->playing)
         m_rest.start();
-    return took;
+    return m_renderer->frame() == frame ? std::optional(took) : std::nullopt;
 }
 
-void ScenePicture::upload(const View& view, const FramePtr& frame) {
-    m_view = view;
-    m_uploaded = m_renderer->upload(frame);
-    m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
-    if (!m_look.box())
-        m_renderer->releaseBox();
-    m_renderer->refine(view, UploadBudget(kUploadAtOnce));
+void ScenePicture::upload() {
+    QElapsedTimer timer;
+    timer.start();
+    m_uploaded = m_renderer->upload(m_frame, budgetFor(m_frame));
+    if (!m_renderer->framePending()) {
+        m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
+        if (!m_look.box())
+            m_renderer->releaseBox(budgetFor(m_frame));
+    }
+    if (!m_renderer->framePending())
+        m_renderer->refine(m_view, UploadBudget(kUploadAtOnce));
+    // Waiting for the GPU costs nothing at 30 frames per second and makes the measured times reliable.
+    m_renderer->finish();
+    m_uploadSeconds += seconds(timer);
     if (showsHiddenPath())
         m_renderer->advancePath(UploadBudget(kUploadAtOnce));
+}
+
+/// Of a large frame, whose successor may take several slices to upload.
+void ScenePicture::keepImage() {
+    if (!isLarge(m_frame)) {
+        m_kept.reset();
+        return;
+    }
+    const QSize size(m_view.pixels.x, m_view.pixels.y);
+    if (m_kept == nullptr || m_kept->size() != size)
+        m_kept = std::make_unique<QOpenGLFramebufferObject>(size);
+    m_renderer->copyPicture(m_widget.defaultFramebufferObject(), m_kept->handle(), m_view.pixels);
+    m_kept->bindDefault();
+}
+
+void ScenePicture::showKeptImage() {
+    m_empty = m_kept == nullptr || m_kept->size() != QSize(m_view.pixels.x, m_view.pixels.y);
+    if (m_empty)
+        m_renderer->draw(m_view, m_options);
+    else
+        m_renderer->copyPicture(m_kept->handle(), m_widget.defaultFramebufferObject(), m_view.pixels);
 }
 
 void ScenePicture::draw(const View& view) {
@@ -136,12 +188,8 @@ void ScenePicture::continueUploading() {
     if (m_renderer == nullptr)
         return;
     m_widget.makeCurrent();
-    m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
-    m_renderer->refine(m_view, UploadBudget(kUploadAtOnce));
-    m_renderer->finish();
+    upload();
     m_widget.doneCurrent();
-    if (showsHiddenPath())
-        m_renderer->advancePath(UploadBudget(kUploadAtOnce));
     if (workPending())
         m_uploading.start(0);
     else
@@ -154,8 +202,8 @@ bool ScenePicture::showsHiddenPath() const {
 
 /// Whether work is pending that the image needs and that is done in slices.
 bool ScenePicture::workPending() const {
-    return m_renderer->boxPending() || m_renderer->coarseness().pending ||
-           (showsHiddenPath() && m_renderer->pathPending());
+    return m_renderer->framePending() || m_renderer->frame() != m_frame || m_renderer->boxPending() ||
+           m_renderer->coarseness().pending || (showsHiddenPath() && m_renderer->pathPending());
 }
 
 } // namespace proveout

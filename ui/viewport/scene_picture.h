@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <QObject>
 #include <QTimer>
@@ -41,8 +42,9 @@ public:
     void initialize();
     /// Makes the context current and frees its resources.
     void release();
-    /// Call it in paintGL(). `frame` may be null.
-    Seconds paint(const View& view, const FramePtr& frame);
+    /// Call it in paintGL(). `frame` may be null. A large frame is uploaded between the window's events;
+    /// until it is complete, the last image stays. Returns nothing if the image does not show that frame yet.
+    std::optional<Seconds> paint(const View& view, const FramePtr& frame);
     /// The bytes of graphics memory that heights and triangles may take; without a call, any number.
     void setMemory(std::size_t bytes);
     /// Call it when the content has changed.
@@ -59,6 +61,12 @@ public:
     /// Whether the last image does not use every point of the grid in the view, because the memory is
     /// limited.
     [[nodiscard]] bool isCoarser() const { return m_renderer != nullptr && m_renderer->coarseness().coarser; }
+    /// Whether it does so because the surface has more triangles than can be drawn in time.
+    [[nodiscard]] bool hasTooManyTriangles() const {
+        return m_renderer != nullptr && m_renderer->coarseness().tooManyTriangles;
+    }
+    /// Whether the frame is not uploaded yet and there is no earlier image of this size to show until then.
+    [[nodiscard]] bool isEmpty() const { return m_empty; }
     /// The bytes of graphics memory that heights and triangles take.
     [[nodiscard]] std::size_t memoryHeld() const {
         return m_renderer != nullptr ? m_renderer->memoryHeld() : 0;
@@ -66,12 +74,14 @@ public:
     /// The uploads of the last image.
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
     /// Whether no better image of the current content is pending.
-    [[nodiscard]] bool atRest() const { return !m_rest.isActive(); }
+    [[nodiscard]] bool atRest() const { return !m_rest.isActive() && !m_uploading.isActive(); }
 
 private:
-    void upload(const View& view, const FramePtr& frame);
+    void upload();
     void draw(const View& view);
     void drawSmooth(const View& view);
+    void keepImage();
+    void showKeptImage();
     void continueUploading();
     [[nodiscard]] bool showsHiddenPath() const;
     [[nodiscard]] bool workPending() const;
@@ -82,12 +92,17 @@ private:
     bool m_software;
     std::unique_ptr<SceneRenderer> m_renderer;
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;
+    std::unique_ptr<QOpenGLFramebufferObject> m_kept; ///< the last image of a large frame
     std::size_t m_memory = std::numeric_limits<std::size_t>::max();
     View m_view; ///< of the last image
+    FramePtr m_frame;
+    double m_uploadSeconds = 0; ///< since the last image
+    bool m_empty = false;
     UploadCounts m_uploaded;
     bool m_boxFits = true;
-    QTimer m_uploading;    ///< runs while a detail region, points in the view or a long toolpath is prepared
-    QTimer m_rest;         ///< starts again whenever the image changes
+    QTimer m_uploading; ///< runs while a large frame, a detail region, points in the view or a long toolpath
+                        ///< is prepared
+    QTimer m_rest;      ///< starts again whenever the image changes
     bool m_smooth = false; ///< draw antialiased, although that is slow in software
     double m_plainSeconds = 0;
 };

@@ -26,14 +26,20 @@ void paintOmissions(QPainter& painter, const QRect& area, const OverlayContent& 
                     content.palette);
 }
 
-/// What the picture lacks because graphics memory is limited.
-void paintCoarseness(QPainter& painter, const QRect& area, const OverlayContent& content) {
+/// What the picture lacks for now, or because graphics memory or the number of triangles is limited.
+QString remarkOn(const OverlayContent& content) {
+    if (content.picture.isEmpty())
+        return QCoreApplication::translate("Viewport", "The picture is being prepared.");
+    if (content.picture.hasTooManyTriangles())
+        return QCoreApplication::translate(
+                   "Viewport", "The picture is coarser than the grid, because the surface has %L1 "
+                               "triangles. Decimation reduces them.")
+            .arg(content.frame->surface.faces);
     if (content.picture.isCoarser())
-        paintRemark(painter, area,
-                    QCoreApplication::translate(
-                        "Viewport", "The picture is coarser than the grid. Zoom in, or allow more "
-                                    "graphics memory."),
-                    content.palette);
+        return QCoreApplication::translate("Viewport",
+                                           "The picture is coarser than the grid. Zoom in, or allow more "
+                                           "graphics memory.");
+    return {};
 }
 
 } // namespace
@@ -49,7 +55,8 @@ void paintOverlay(QPainter& painter, const QRect& area, const View& view, const 
     paintAxes(painter, area, view, content.palette.color(QPalette::WindowText));
     if (content.frame == nullptr)
         return;
-    paintCoarseness(painter, area, content);
+    if (const QString remark = remarkOn(content); !remark.isEmpty())
+        paintRemark(painter, area, remark, content.palette);
     paintOmissions(painter, area, content);
     const SurfaceSnapshot& surface = content.frame->surface;
     if (content.legend)

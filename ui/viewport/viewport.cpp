@@ -175,9 +175,9 @@ void Viewport::resizeGL(int, int) {
 void Viewport::paintGL() {
     setPicture();
     const View view = m_camera.view(sceneBounds(m_frame.get(), m_options));
-    const ScenePicture::Seconds took = m_picture->paint(view, m_frame);
-    if (m_frame != nullptr)
-        m_session.playback().reportDrawn(m_frame->sequence, took.upload, took.draw);
+    const std::optional<ScenePicture::Seconds> took = m_picture->paint(view, m_frame);
+    if (m_frame != nullptr && took)
+        m_session.playback().reportDrawn(m_frame->sequence, took->upload, took->draw);
     paintOver(view);
 }
 

@@ -100,6 +100,9 @@ private slots:
     void trianglesThatOutgrowTheLimitLeaveParts();
     void aFinerGridTakesTheRoomOfTriangles();
     void aDetailRegionCountsToo();
+    void tooManyTrianglesAreDrawnFromCoarserPoints_data();
+    void tooManyTrianglesAreDrawnFromCoarserPoints();
+    void aFrameArrivesInSlicesAndIsNotReplacedMeanwhile();
 
 private:
     [[nodiscard]] QImage limited(const FramePtr& frame, const View& view) {
@@ -347,6 +350,75 @@ void LimitedPictureTest::aDetailRegionCountsToo() {
     m_limited->renderer().releaseBox();
     QCOMPARE(limited(builder.frame(), view), without);
     QCOMPARE(held(), heldWithout);
+}
+
+void LimitedPictureTest::tooManyTrianglesAreDrawnFromCoarserPoints_data() {
+    QTest::addColumn<qulonglong>("memory");
+    QTest::newRow("all heights") << qulonglong{100'000'000};
+    QTest::newRow("heights in parts") << qulonglong{kLimit};
+}
+
+void LimitedPictureTest::tooManyTrianglesAreDrawnFromCoarserPoints() {
+    constexpr std::size_t kMost = 50'000;
+    QFETCH(qulonglong, memory);
+    FrameBuilder builder(kStock, kSpacing);
+    builder.cutAll(part); // 1.4 million triangles, until the surface is decimated
+    OffscreenPicture picture;
+    SceneRenderer& renderer = picture.renderer();
+    renderer.setMemory(memory);
+    renderer.setMostTriangles(kMost);
+    const View view = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    const QImage coarse = picture.draw(builder.frame(), view, testOptions());
+    const std::size_t drawn = renderer.triangles(SurfaceBuffer::Part::fromZMap);
+    QVERIFY2(drawn > kMost / 5 && drawn <= kMost, qPrintable(QString::number(drawn)));
+    QCOMPARE(renderer.triangles(SurfaceBuffer::Part::decimated), std::size_t{0});
+    QVERIFY(renderer.coarseness().coarser && renderer.coarseness().tooManyTriangles);
+    const Difference difference = differenceOf(coarse, unlimited(builder.frame(), view));
+    QVERIFY2(difference.mean < 3 && difference.strong < 0.03,
+             qPrintable(QStringLiteral("mean %1, strong %2").arg(difference.mean).arg(difference.strong)));
+
+    builder.decimate();
+    QVERIFY(builder.frame()->surface.faces < kMost);
+    const QImage decimated = picture.draw(builder.frame(), view, testOptions());
+    QVERIFY(!renderer.coarseness().tooManyTriangles);
+    if (memory > kLimit)
+        QCOMPARE(decimated, unlimited(builder.frame(), view));
+}
+
+void LimitedPictureTest::aFrameArrivesInSlicesAndIsNotReplacedMeanwhile() {
+    constexpr int kMostCalls = 30'000;
+    const UploadBudget oneTile(std::chrono::seconds(0));
+    FrameBuilder builder = cutPart();
+    const FramePtr first = builder.frame();
+    builder.cut({0, 0, 700, 300}, [](double x, double y) { return part(x, y) - 1; });
+    builder.decimate();
+    const FramePtr second = builder.frame();
+    const View view = cameraAt(StandardView::iso, true).view(stockBox());
+    for (const std::size_t memory : {std::size_t{100'000'000}, kLimit}) {
+        OffscreenPicture whole;
+        whole.renderer().setMemory(memory);
+        OffscreenPicture picture; // its context is the current one
+        SceneRenderer& renderer = picture.renderer();
+        renderer.setMemory(memory);
+        renderer.upload(first, oneTile);
+        for (const FramePtr& frame : {first, second}) {
+            QVERIFY(renderer.framePending() || frame == second);
+            int calls = 0;
+            do
+                renderer.upload(second, oneTile);
+            while ((renderer.framePending() || renderer.frame() != frame) && ++calls < kMostCalls);
+            QVERIFY2(calls > 1 && calls < kMostCalls, qPrintable(QString::number(calls)));
+            const QImage expected = whole.draw(frame, view, testOptions());
+            QCOMPARE(picture.draw(frame, view, testOptions()), expected);
+        }
+        // A frame with another grid does not wait.
+        renderer.upload(first, oneTile);
+        QVERIFY(renderer.framePending());
+        FrameBuilder other(kStock, 1);
+        renderer.upload(other.frame());
+        QVERIFY(!renderer.framePending());
+        QCOMPARE(renderer.frame()->zmap.grid(), other.grid());
+    }
 }
 
 QTEST_MAIN(LimitedPictureTest)
