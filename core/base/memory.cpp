@@ -25,13 +25,13 @@ namespace {
 constexpr std::uint64_t kCautiousGuess = 1'000'000'000;
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// The number that follows `key` in a file of lines "key number …"; nothing where there is none.
+/// The number that follows `key` in a file of lines "key value …"; nothing where there is none.
 std::optional<std::uint64_t> numberOf(std::string_view wanted, const std::filesystem::path& file) {
     std::ifstream lines(file);
     std::string key;
     std::uint64_t number = 0;
-    while (lines >> key >> number) {
-        if (key == wanted)
+    while (lines >> key) {
+        if (key == wanted && lines >> number)
             return number;
         lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
     }
@@ -119,7 +119,9 @@ std::uint64_t residentMemoryBytes(const MemorySources& sources) {
     return processSize(sources.proc).resident;
 }
 
-std::uint64_t peakMemoryBytes() {
+std::uint64_t peakMemoryBytes(const MemorySources& sources) {
+    if (const auto kibibytes = numberOf("VmHWM:", sources.proc / "self" / "status"))
+        return *kibibytes * 1024;
     rusage usage{};
     if (getrusage(RUSAGE_SELF, &usage) != 0)
         return 0;

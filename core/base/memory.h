@@ -29,8 +29,9 @@ struct MemorySources {
 /// The resident size of this process now; 0 where the system does not report it.
 [[nodiscard]] std::uint64_t residentMemoryBytes(const MemorySources& sources = {});
 
-/// The largest resident size that this process has had; 0 where the system does not report it.
-[[nodiscard]] std::uint64_t peakMemoryBytes();
+/// The largest resident size that this program has had; 0 where the system does not report it. Where it only
+/// reports that of the process, the program that started this one counts too.
+[[nodiscard]] std::uint64_t peakMemoryBytes(const MemorySources& sources = {});
 
 /// Makes large blocks return to the system as soon as they are freed, however many of them there were:
 /// otherwise glibc would keep up to 32 MB in pieces, by which small maps took 1.6 times their forecast. Call

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -68,6 +69,19 @@ TEST(Memory, PeakRisesWithWhatIsTouched) {
     const std::vector<char> taken(std::size_t{before} + 50'000'000, 'x');
     EXPECT_EQ(taken.back(), 'x');
     EXPECT_GE(peakMemoryBytes(), before + 50'000'000);
+}
+
+TEST(Memory, PeakIsThatOfTheProgramAndNotOfTheOneThatStartedIt) {
+    const std::filesystem::path proc = std::filesystem::path(testing::TempDir()) / "proveout_peak";
+    std::filesystem::create_directories(proc / "self");
+    std::ofstream(proc / "self" / "status") << "Name:\tproveout cli\nUmask:\t0022\nVmPeak:\t  900 kB\n"
+                                               "VmHWM:\t    120 kB\nVmRSS:\t    110 kB\n";
+    MemorySources sources;
+    sources.proc = proc;
+    EXPECT_EQ(peakMemoryBytes(sources), 120U * 1024U);
+    sources.proc = proc / "none";
+    EXPECT_GT(peakMemoryBytes(sources), 1'000'000U) << "of this process";
+    std::filesystem::remove_all(proc);
 }
 
 TEST(Memory, SizesReadWell) {
