@@ -86,7 +86,9 @@ bool FileAllowance::reduce(SolidForExport& solid, const WorkContext& context) {
     if (context.stopped() || (setApart > m_promised.allowance && rounding <= least))
         return false;
     if (m_parameters.allowance <= least) {
-        m_rounding = rounding > least ? rounding : 0;
+        // Both together exceed the allowance, unless setting apart does so alone.
+        const double beside = setApart > m_promised.allowance ? rounding : error - m_parameters.allowance;
+        m_rounding = beside > least ? beside : 0;
         return false;
     }
     // Triangles of another mesh may be less steep, so that it is worth a try even if all looks lost.

@@ -68,10 +68,12 @@ Result<SolidForExport> makeSolid(const ZMapSnapshot& zmap, FileAllowance& allowa
     const WorkContext limited{memory.stop(), context.progress};
     for (;;) {
         const WorkContext part = allowance.thisTry(limited);
-        std::vector<LatticeTriangle> triangles =
-            decimatedWhole(zmap, allowance.parameters(), part.part(0, kDecimated)).releaseTriangles();
+        SurfaceSnapshot surface = decimatedWhole(zmap, allowance.parameters(), part.part(0, kDecimated));
         if (context.stopped())
             return cancelled();
+        if (memory.isExceeded(0)) // regions that are not finished have many triangles
+            return memory.tooLarge();
+        std::vector<LatticeTriangle> triangles = surface.releaseTriangles();
         if (memory.isExceeded(triangles.size()))
             return memory.tooLarge();
         SolidForExport solid(zmap, closeSolid(zmap, std::move(triangles), part.part(kDecimated, kClosed)),

@@ -22,11 +22,15 @@ ExportHub::ExportHub(const Hubs& hubs) : m_hubs(hubs) {
 }
 
 void ExportHub::exportMesh(const QString& file, const ExportOptions& options) {
+    m_hubs.simulation.takeFrame();
+    exportFrame(file, options);
+}
+
+void ExportHub::exportFrame(const QString& file, const ExportOptions& options) {
     if (m_running) {
         m_hubs.problems.report(failure(window_finding::kExportRunning).value());
         return;
     }
-    m_hubs.simulation.takeFrame();
     if (!m_hubs.simulation.frame()) {
         m_hubs.problems.report(failure(window_finding::kNoStock).value());
         return;
@@ -52,7 +56,7 @@ void ExportHub::saveStock(const QString& file) {
         options.provenance.finished =
             frame->block == frame->program->blockCount() && !m_hubs.program.isReading();
     }
-    exportMesh(file, options);
+    exportFrame(file, options); // what is written about the stock belongs to this frame
 }
 
 void ExportHub::finish(const Result<ExportSummary>& result) {

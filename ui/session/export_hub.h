@@ -43,6 +43,8 @@ signals:
     void exported(const ExportSummary& summary);
 
 private:
+    /// Exports the frame that was taken last.
+    void exportFrame(const QString& file, const ExportOptions& options);
     void finish(const Result<ExportSummary>& result);
 
     Hubs m_hubs;

@@ -16,6 +16,8 @@ constexpr std::uint8_t kPerRevolutionFlag = 2;
 constexpr std::uint8_t kStartAtReferenceFlag = 4;
 constexpr std::uint8_t kEndAtReferenceFlag = 8;
 constexpr std::uint8_t kProbingFlag = 16;
+/// Those on which the stock or a finding may depend.
+constexpr std::uint8_t kPathFlags = kStartAtReferenceFlag | kEndAtReferenceFlag | kProbingFlag;
 
 } // namespace
 
@@ -163,7 +165,7 @@ bool Program::samePath(std::size_t index, const Program& other, std::size_t othe
     const PackedMotion& a = m_motions[index];
     const PackedMotion& b = other.m_motions[otherIndex];
     if (a.end != b.end || a.kind != b.kind || a.startKnown != b.startKnown || a.endKnown != b.endKnown ||
-        (a.flags & kProbingFlag) != (b.flags & kProbingFlag) ||
+        (a.flags & kPathFlags) != (b.flags & kPathFlags) ||
         m_states[a.state].tool != other.m_states[b.state].tool || startOf(index) != other.startOf(otherIndex))
         return false;
     if (a.arc == kNoArc || b.arc == kNoArc)

@@ -50,15 +50,17 @@ bool clearByReference(const StockBox& stock, const Motion& motion) {
 }
 
 /// A rapid that moves in plan at an unknown height may pass through the stock. The box of its ends is used in
-/// place of its path.
+/// place of its path; an axis that it moves to an unknown position may pass over anything.
 bool mayCrossAtUnknownHeight(const StockBox& stock, const Motion& motion, double radius) {
     if ((motion.endKnown & kAxisZ) != 0 || (motion.startKnown & (kAxisX | kAxisY)) != (kAxisX | kAxisY))
         return false;
-    const auto meets = [&](int axis, double from, double length) {
+    const auto meets = [&](int axis, AxisBits bit, double from, double length) {
+        if ((motion.endKnown & bit) == 0)
+            return true;
         const auto [lo, hi] = std::minmax(motion.start[axis], motion.end[axis]);
         return hi > from - radius && lo < from + length + radius;
     };
-    return meets(0, stock.corner.x, stock.width) && meets(1, stock.corner.y, stock.depth);
+    return meets(0, kAxisX, stock.corner.x, stock.width) && meets(1, kAxisY, stock.corner.y, stock.depth);
 }
 
 /// The path of a rapid from an unknown position is unknown too, so it cuts nothing. Most programs begin this

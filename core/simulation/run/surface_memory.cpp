@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run/surface_memory.h"
 
+#include <new>
 #include <optional>
 #include <system_error>
 
@@ -52,7 +53,12 @@ bool SurfaceMemory::limit(std::size_t points, const WorkContext& context,
         return false;
     }
     const EitherStop either(context.stop, memory->stop());
-    work({either.token(), context.progress});
+    try {
+        work({either.token(), context.progress});
+    } catch (const std::bad_alloc&) {
+        m_exceeded = true;
+        return false;
+    }
     m_exceeded = memory->exceeded();
     return !m_exceeded;
 }

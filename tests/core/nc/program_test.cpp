@@ -175,6 +175,15 @@ TEST(Program, FindsTheFirstBlockThatMovesOtherwise) {
     EXPECT_EQ(differenceTo("G1 X9\n", ""), 4U);
 }
 
+TEST(Program, FindsTheFirstBlockThatEndsElsewhereAboveTheMachinesZero) {
+    const std::string text = "T1 M6\nG0 X20 Y15 Z5\nG53 G0 Z0\nG0 X5 Y5\nM2\n";
+    const auto program = programOf(text);
+    std::string lower = text;
+    lower.replace(lower.find("G53 G0 Z0"), 9, "G53 G0 Z-100");
+    EXPECT_EQ(program->firstDifference(*programOf(lower)), 1U) << "a finding depends on it";
+    EXPECT_EQ(program->firstDifference(*programOf(text)), program->blockCount());
+}
+
 TEST(Program, KnowsWhenItsStartDiffers) {
     InterpretOptions there;
     there.start = Vec3(1, 0, 0);

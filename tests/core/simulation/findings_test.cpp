@@ -67,6 +67,16 @@ TEST(Findings, RapidOverTheStockAtAnUnknownHeightIsUnverified) {
         EXPECT_TRUE(findingsOf(fmt::format("T1 M6\n{}\n", beside)).empty()) << beside;
 }
 
+TEST(Findings, RapidToAnUnknownPlaceAtAnUnknownHeightIsUnverified) {
+    const auto findings = findingsOf("T1 M6\nG0 X-20 Y10\nG53 G0 X0 Y0\nG0 X5 Y5 Z5\n");
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_STREQ(findings[0].id, "rapid-unchecked");
+    EXPECT_EQ(findings[0].where.line, 3);
+    EXPECT_TRUE(findingsOf("T1 M6\nG0 X-20 Y10\nG53 G0 Z0\nG53 G0 X0 Y0\nG0 X5 Y5\nZ5\n").empty())
+        << "at the machine's zero";
+    EXPECT_TRUE(findingsOf("T1 M6\nG0 X5 Y-30\nG53 G0 X0\nG0 Z5\nX5 Y5\n").empty()) << "beside the stock";
+}
+
 TEST(Findings, RapidFromAnUnknownPositionThatEndsClearOfTheStockIsNone) {
     for (const char* start : {"G0 Z0", "G0 X10 Y5", "G0 X10 Y5 Z1", "G0 X-2.1 Y5 Z-8", "G0 X42.1\nG0 Z-8"})
         EXPECT_TRUE(findingsOf(fmt::format("T1 M6\n{}\n", start)).empty()) << start;
