@@ -9,6 +9,7 @@
 
 #include "app/cli/run_command.h"
 #include "core/verification/findings/command_line_findings.h"
+#include "ui/viewport/viewport.h"
 
 namespace proveout {
 
@@ -83,7 +84,13 @@ void ScreenshotRun::take() {
         m_settle.start();
         return;
     }
-    if (m_shown->grab().save(m_request.file, "PNG", kSmallestFile))
+    const QPixmap picture = m_shown->grab();
+    const auto* view = qobject_cast<const Viewport*>(&m_window.viewport());
+    if (view != nullptr && view->isVisible() && !view->atRest()) { // it is still being uploaded
+        m_settle.start();
+        return;
+    }
+    if (picture.save(m_request.file, "PNG", kSmallestFile))
         QCoreApplication::exit(0);
     else
         giveUp("the file cannot be written");

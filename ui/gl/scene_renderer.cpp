@@ -39,12 +39,15 @@ SceneRenderer::SceneRenderer(Gl& gl, int mostTexturePoints)
 
 UploadCounts SceneRenderer::upload(const FramePtr& newest, const UploadBudget& budget) {
     // A frame that is replaced before it is complete would never be shown while a program is played.
-    const bool continues = m_framePending && newest != nullptr && newest->zmap.grid() == m_frame->zmap.grid();
-    const FramePtr frame = continues ? m_frame : newest;
+    m_frameWaits = m_frameWaits && newest != nullptr && newest->zmap.grid() == m_frame->zmap.grid();
+    const FramePtr frame = m_frameWaits ? m_frame : newest;
+    if (frame != nullptr && frame == m_frame && !m_framePending && !m_stale)
+        return {};
     m_frame = frame;
     m_framePending = false;
     if (frame == nullptr)
         return {};
+    m_stale = false;
     m_path.setPosition(frame->program, frame->block);
     m_cutter.setCutter(m_gl,
                        frame->cutterKnown && frame->setup ? frame->setup->tools.find(frame->tool) : nullptr);
@@ -54,10 +57,12 @@ UploadCounts SceneRenderer::upload(const FramePtr& newest, const UploadBudget& b
     const UploadCounts counts = m_surface.upload(m_gl, *frame, budget);
     m_gridFits = counts.fits;
     m_framePending = counts.fits && !counts.whole;
+    m_frameWaits = m_frameWaits || m_framePending;
     return counts;
 }
 
 void SceneRenderer::setMostTriangles(std::size_t triangles) {
+    m_stale = true;
     m_surface.setMostTriangles(triangles);
     m_boxSurface.setMostTriangles(triangles);
 }
@@ -69,6 +74,7 @@ void SceneRenderer::setMemory(std::size_t bytes) {
 
 /// A detail region gets a quarter: it is a small part of the stock, but much finer.
 void SceneRenderer::shareMemory(bool withBox, const UploadBudget& budget) {
+    m_stale = true;
     const bool changed = withBox != m_shared;
     m_shared = withBox;
     const std::size_t ofBox = m_memory / 4;
@@ -87,6 +93,7 @@ void SceneRenderer::refine(const View& view, const UploadBudget& budget) {
         return;
     const Coarseness ofBox = m_boxSurface.refine(m_gl, *m_box, view, budget);
     m_coarseness.coarser = m_coarseness.coarser || ofBox.coarser;
+    m_coarseness.tooManyTriangles = m_coarseness.tooManyTriangles || ofBox.tooManyTriangles;
     m_coarseness.pending = m_coarseness.pending || ofBox.pending;
 }
 
@@ -150,6 +157,7 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
     m_gl.glBindVertexArray(m_emptyArray);
     m_gl.glDisable(GL_CULL_FACE);
     drawBackdrop(options);
+    m_frameWaits = m_framePending;
     if (m_frame != nullptr && !m_framePending) {
         m_gl.glEnable(GL_DEPTH_TEST);
         m_gl.glDepthFunc(GL_LESS);
@@ -203,6 +211,7 @@ void SceneRenderer::releaseBox(const UploadBudget& budget) {
 }
 
 void SceneRenderer::release() {
+    m_stale = true;
     m_surface.release(m_gl);
     freeBox();
     m_cutter.release(m_gl);

@@ -32,10 +32,12 @@ public:
     /// Uploads what differs from the previous frame. If the driver cannot hold the heights of
     /// the grid, no stock is drawn and gridFits() is false. If the budget is too small, the next call
     /// continues, with the same frame unless the other one has another grid; until it is complete, only the
-    /// backdrop is drawn.
+    /// backdrop is drawn, and then it must be drawn once before the next one is taken.
     UploadCounts upload(const FramePtr& frame, const UploadBudget& budget = {});
     /// Whether the uploaded frame is not complete.
     [[nodiscard]] bool framePending() const { return m_framePending; }
+    /// Whether it took several calls, and has not been drawn yet.
+    [[nodiscard]] bool frameWaits() const { return m_frameWaits && !m_framePending; }
     /// The frame that was uploaded, perhaps in part.
     [[nodiscard]] const FramePtr& frame() const { return m_frame; }
     /// Sets a detail region, whose z-map and surface are drawn in place of that part of the uploaded frame;
@@ -85,6 +87,8 @@ private:
     GLuint m_emptyArray = 0; ///< for vertices that the shader computes from their index alone
     FramePtr m_frame;
     bool m_framePending = false;
+    bool m_frameWaits = false; ///< the next one must wait
+    bool m_stale = true;       ///< the same frame must be uploaded again
     SurfaceRenderer m_boxSurface;
     BoxFrame m_boxFrame;
     FramePtr m_box;

@@ -171,16 +171,20 @@ void SurfaceBuffer::forget() {
     m_patterns.clear();
     m_indices.clear();
     m_collected = false;
+    m_resume = 0;
 }
 
 void SurfaceBuffer::updateRegions(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget,
                                   Uploaded& uploaded) {
-    for (std::size_t index = 0; index < m_regions.size() && uploaded.whole && uploaded.fits; ++index) {
+    const std::size_t first = m_resume;
+    for (std::size_t k = 0; k < m_regions.size() && uploaded.whole && uploaded.fits; ++k) {
+        const std::size_t index = (first + k) % m_regions.size();
         if (!updateRegion(gl, surface, index, uploaded))
             continue;
         m_collected = false;
         uploaded.changed = true;
         uploaded.whole = !budget.spent();
+        m_resume = index + 1;
     }
     if (uploaded.whole && uploaded.fits && !m_collected) {
         collect(gl, uploaded);

@@ -84,7 +84,7 @@ private:
     bool updateRegion(Gl& gl, const SurfaceSnapshot& surface, std::size_t index, Uploaded& uploaded);
     [[nodiscard]] Pattern pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
     void forget();
-    /// Stops where there is no room.
+    /// Begins after the last region of an update that did not come to its end. Stops where there is no room.
     void updateRegions(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget,
                        Uploaded& uploaded);
     [[nodiscard]] std::uint32_t firstPoint(std::size_t region) const;
@@ -93,6 +93,7 @@ private:
     RegionGrid m_grid;
     int m_step = 1;
     std::vector<Region> m_regions;
+    std::size_t m_resume = 0;
     bool m_collected = false; ///< whether m_lists is up to date
     bool m_restarted = false; ///< m_indices has all bytes of its limit; no update was complete since then
     IndexBuffer m_indices;

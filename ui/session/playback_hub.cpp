@@ -240,14 +240,15 @@ void PlaybackHub::onTick() {
     emit tick(m_simulation.frame());
 }
 
-void PlaybackHub::reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds) {
+void PlaybackHub::reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds,
+                              bool allTriangles) {
     const FramePtr& frame = m_simulation.frame();
     if (!frame || frame->sequence != sequence || !m_frameLog.add(*frame, uploadSeconds, drawSeconds))
         return;
     m_paperWatchdog.stop();
     if (!m_played.isWeighing())
         restartHoldBack();
-    if (m_state.playing && !m_frameLog.rows().empty())
+    if (m_state.playing && allTriangles && !m_frameLog.rows().empty())
         m_played.weigh(*frame, m_frameLog.rows().back());
     postParameters();
     if (m_state.everyBlock)

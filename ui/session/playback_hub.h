@@ -58,7 +58,8 @@ public:
 
     /// A frame was drawn, in paintGL or in place of it: appends a row of frameStatistics() and, in paper
     /// mode, allows the next block to be cut. A frame that is drawn again counts once.
-    void reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds);
+    void reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds,
+                     bool allTriangles = true);
     /// Requests a tick outside playback, e.g. after a panel changed a colour.
     void requestTick() { m_tick.request(); }
 

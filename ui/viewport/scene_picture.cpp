@@ -103,7 +103,7 @@ std::optional<ScenePicture::Seconds> ScenePicture::paint(const View& view, const
     upload();
     if (workPending())
         m_uploading.start(0);
-    m_empty = false;
+    m_preparing = false;
     if (m_renderer->framePending()) {
         showKeptImage();
         return std::nullopt;
@@ -144,7 +144,8 @@ void ScenePicture::upload() {
 
 /// Of a large frame, whose successor may take several slices to upload.
 void ScenePicture::keepImage() {
-    if (!isLarge(m_frame)) {
+    const FramePtr& drawn = m_renderer->frame();
+    if (!isLarge(drawn)) {
         m_kept.reset();
         return;
     }
@@ -153,11 +154,15 @@ void ScenePicture::keepImage() {
         m_kept = std::make_unique<QOpenGLFramebufferObject>(size);
     m_renderer->copyPicture(m_widget.defaultFramebufferObject(), m_kept->handle(), m_view.pixels);
     m_kept->bindDefault();
+    m_keptView = m_view;
+    m_keptGrid = drawn->zmap.grid();
 }
 
 void ScenePicture::showKeptImage() {
-    m_empty = m_kept == nullptr || m_kept->size() != QSize(m_view.pixels.x, m_view.pixels.y);
-    if (m_empty)
+    const bool fits =
+        m_kept != nullptr && m_keptView.pixels == m_view.pixels && m_keptGrid == m_frame->zmap.grid();
+    m_preparing = !fits || m_keptView.clipFromWorld != m_view.clipFromWorld;
+    if (!fits)
         m_renderer->draw(m_view, m_options);
     else
         m_renderer->copyPicture(m_kept->handle(), m_widget.defaultFramebufferObject(), m_view.pixels);
@@ -190,7 +195,7 @@ void ScenePicture::continueUploading() {
     m_widget.makeCurrent();
     upload();
     m_widget.doneCurrent();
-    if (workPending())
+    if (workPending() && !m_renderer->frameWaits())
         m_uploading.start(0);
     else
         repaintSoon();

@@ -65,8 +65,8 @@ public:
     [[nodiscard]] bool hasTooManyTriangles() const {
         return m_renderer != nullptr && m_renderer->coarseness().tooManyTriangles;
     }
-    /// Whether the frame is not uploaded yet and there is no earlier image of this size to show until then.
-    [[nodiscard]] bool isEmpty() const { return m_empty; }
+    /// Whether the last image does not show this view and stock, because the frame is not uploaded yet.
+    [[nodiscard]] bool isPreparing() const { return m_preparing; }
     /// The bytes of graphics memory that heights and triangles take.
     [[nodiscard]] std::size_t memoryHeld() const {
         return m_renderer != nullptr ? m_renderer->memoryHeld() : 0;
@@ -93,11 +93,13 @@ private:
     std::unique_ptr<SceneRenderer> m_renderer;
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;
     std::unique_ptr<QOpenGLFramebufferObject> m_kept; ///< the last image of a large frame
+    View m_keptView;
+    Grid m_keptGrid;
     std::size_t m_memory = std::numeric_limits<std::size_t>::max();
     View m_view; ///< of the last image
     FramePtr m_frame;
     double m_uploadSeconds = 0; ///< since the last image
-    bool m_empty = false;
+    bool m_preparing = false;
     UploadCounts m_uploaded;
     bool m_boxFits = true;
     QTimer m_uploading; ///< runs while a large frame, a detail region, points in the view or a long toolpath

@@ -28,7 +28,7 @@ void paintOmissions(QPainter& painter, const QRect& area, const OverlayContent& 
 
 /// What the picture lacks for now, or because graphics memory or the number of triangles is limited.
 QString remarkOn(const OverlayContent& content) {
-    if (content.picture.isEmpty())
+    if (content.picture.isPreparing())
         return QCoreApplication::translate("Viewport", "The picture is being prepared.");
     if (content.picture.hasTooManyTriangles())
         return QCoreApplication::translate(

@@ -177,7 +177,8 @@ void Viewport::paintGL() {
     const View view = m_camera.view(sceneBounds(m_frame.get(), m_options));
     const std::optional<ScenePicture::Seconds> took = m_picture->paint(view, m_frame);
     if (m_frame != nullptr && took)
-        m_session.playback().reportDrawn(m_frame->sequence, took->upload, took->draw);
+        m_session.playback().reportDrawn(m_frame->sequence, took->upload, took->draw,
+                                         !m_picture->hasTooManyTriangles());
     paintOver(view);
 }
 
