@@ -439,7 +439,7 @@ TEST(Cut, LeavesTheMapAsItWasWhereItIsStopped) {
     const std::uint32_t seed = randomSeed();
     Random random(seed);
     int stopped = 0;
-    for (int round = 0; round < roundsOf(40); ++round) {
+    for (int round = 0; round < std::max(4, roundsOf(40)); ++round) {
         // Grids from coarse to fine; the first rounds are stopped before they start, and are long enough to
         // check for that.
         const double spacing = round % 2 == 0 ? 0.9 : 0.04;
