@@ -10,7 +10,7 @@ namespace proveout {
 namespace {
 
 /// How far a piece may deviate from the arc, over both sides, mm.
-constexpr double kBulge = 2e-5;
+constexpr double kBulge = 8e-5;
 constexpr int kMostPieces = 4096;
 /// mm per mm. Single precision resolves positions to a millionth of a millimetre or two; a piece that is
 /// steeper moves over ground by less than 1/300 of its height, and is treated as a plunge to its lower end.

@@ -9,9 +9,8 @@
 
 namespace proveout {
 
-/// One convex profile on any arc, as straight pieces that deviate from it by a hundred-thousandth of a
-/// millimetre at most, equally on both sides. They are computed again for each tile, because an arc may have
-/// thousands. Immutable; any thread.
+/// One convex profile on any arc, as straight pieces that deviate from it by 4e-5 mm at most, equally on both
+/// sides. They are computed again for each tile, because an arc may have thousands. Immutable; any thread.
 class CurvePass {
 public:
     CurvePass(const ConvexProfile& profile, const ArcPath& path);
