@@ -9,6 +9,7 @@
 
 #include <bit>
 
+#include "core/cutting/kernels/aligned_envelope-inl.h"
 #include "core/cutting/kernels/block_places-inl.h"
 #include "core/cutting/kernels/fitted_envelope-inl.h"
 #include "core/cutting/kernels/round_envelope-inl.h"
@@ -39,7 +40,7 @@ HWY_INLINE void lowerGroup(const Envelope& envelope, const BlockPlaces& places, 
             const V before = hn::LoadU(kFloats, at);
             const V along = places.alongAt(row, k);
             const V across = places.acrossAt(row, k);
-            const Cut cut = envelope(along, across);
+            const Cut cut = cutAt(envelope, row, k, along, across);
             const V z = hn::Max(cut.z, lowest);
             const M lower = hn::And(cut.under, hn::Lt(z, before));
             const V now = hn::IfThenElse(lower, z, before);
@@ -152,7 +153,7 @@ HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, Tile
                             std::size_t block, std::uint32_t groups, const Taking& collectorOf) {
     const BlockPlaces places(pass, block);
     if constexpr (kOfBlocks<Envelope>) {
-        withBlockEnvelope(envelope, pass, block, [&](const auto& overBlock) HWY_ATTR {
+        withBlockEnvelope(envelope, pass, places, block, groups, [&](const auto& overBlock) HWY_ATTR {
             const auto own = overBlock; // a local copy, which nothing else can change, stays in registers
             lowerEach(own, places, work, block, groups, collectorOf);
         });

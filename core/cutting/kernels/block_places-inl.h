@@ -70,7 +70,11 @@ struct BlockPlaces {
         return hn::Add(all(along + (row + static_cast<float>(r)) * alongY), alongColumns[k]);
     }
     [[nodiscard]] HWY_INLINE V acrossAt(std::size_t r, std::size_t k) const {
-        return hn::Add(all(across + (row + static_cast<float>(r)) * acrossY), acrossColumns[k]);
+        return hn::Add(all(acrossAt(r)), acrossColumns[k]);
+    }
+    /// Of the whole row if the path is along it, else at the tile's middle column.
+    [[nodiscard]] HWY_INLINE float acrossAt(std::size_t r) const {
+        return across + (row + static_cast<float>(r)) * acrossY;
     }
 };
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cutting/kernels/aligned_envelope-inl.h"
 #include "core/cutting/kernels/band_fit-inl.h"
 #include "core/cutting/kernels/lead_search-inl.h"
 #include "core/cutting/kernels/round_envelope-inl.h"
@@ -47,6 +48,13 @@ struct SolvedCornerLead {
     }
 };
 
+struct SearchedHollowLead {
+    mutable LeadSearch<HollowForm, StraightWay> search;
+    V rim2;
+    explicit SearchedHollowLead(const TilePass& pass) : search(pass), rim2(all(pass.rim2)) {}
+    HWY_INLINE V operator()(V across2) const { return search.ahead2(hn::Min(across2, rim2)); }
+};
+
 /// The bands for the squares of the distances across in a block, as far as they are under the cutter.
 HWY_INLINE BandFit bandsAcross(const TilePass& pass, std::size_t block) {
     const BlockMiddle at(block);
@@ -81,11 +89,27 @@ inline constexpr bool kOfBlocks<LevelEnvelope<WholeForm>> = true;
 template<>
 inline constexpr bool kOfBlocks<LevelRoundEnvelope<WholeForm>> = true;
 
+/// Whether the path is along the rows or columns of the grid.
+HWY_INLINE bool alongGrid(const TilePass& pass) {
+    return pass.acrossX == 0 || pass.acrossY == 0;
+}
+template<class Envelope, class Lead, class Work>
+HWY_INLINE void withAlignedEnvelope(const Envelope& envelope, const Lead& lead, const TilePass& pass,
+                                    const BlockPlaces& places, std::uint32_t groups, const Work& work) {
+    if (pass.acrossX == 0)
+        work(RowsEnvelope<Envelope>(envelope, lead, places, groups));
+    else
+        work(ColumnsEnvelope<Envelope>(envelope, lead, places));
+}
+
 // Each calls `work` with that form.
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& envelope,
-                                  const TilePass& pass, std::size_t block, const Work& work) {
+                                  const TilePass& pass, const BlockPlaces& places, std::size_t block,
+                                  std::uint32_t groups, const Work& work) {
+    if (alongGrid(pass))
+        return withAlignedEnvelope(envelope, envelope.lead, pass, places, groups, work);
     if (pass.bands == nullptr)
         return work(envelope);
     const BandFit bands = bandsAcross(pass, block);
@@ -95,8 +119,11 @@ HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& 
 }
 
 template<class Work>
-HWY_INLINE void withBlockEnvelope(const HollowEnvelope& envelope, const TilePass& pass, std::size_t block,
+HWY_INLINE void withBlockEnvelope(const HollowEnvelope& envelope, const TilePass& pass,
+                                  const BlockPlaces& places, std::size_t block, std::uint32_t groups,
                                   const Work& work) {
+    if (pass.bands == nullptr)
+        return withAlignedEnvelope(envelope, SearchedHollowLead(pass), pass, places, groups, work);
     HollowEnvelope narrow = envelope;
     narrow.ahead2 = bandsAcross(pass, block);
     work(narrow);
@@ -104,7 +131,7 @@ HWY_INLINE void withBlockEnvelope(const HollowEnvelope& envelope, const TilePass
 
 template<class Form, class Work>
 HWY_INLINE void withBlockEnvelope(const HelixEnvelope<Form>& envelope, const TilePass& pass,
-                                  std::size_t block, const Work& work) {
+                                  const BlockPlaces&, std::size_t block, std::uint32_t, const Work& work) {
     HelixEnvelope<Form> narrow = envelope;
     narrow.chord2 = bandsOutside(pass, block);
     work(narrow);
@@ -129,13 +156,13 @@ HWY_INLINE Envelope narrowed(const Envelope& envelope, const TilePass& pass, std
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const LevelEnvelope<WholeForm>& envelope, const TilePass& pass,
-                                  std::size_t block, const Work& work) {
+                                  const BlockPlaces&, std::size_t block, std::uint32_t, const Work& work) {
     work(narrowed(envelope, pass, block));
 }
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const LevelRoundEnvelope<WholeForm>& envelope, const TilePass& pass,
-                                  std::size_t block, const Work& work) {
+                                  const BlockPlaces&, std::size_t block, std::uint32_t, const Work& work) {
     work(narrowed(envelope, pass, block));
 }
 

@@ -154,35 +154,26 @@ public:
     HWY_INLINE V value(V variable, M& counts) {
         const PointAside at = m_way(variable);
         const PointAside point{hn::Max(hn::Abs(at.aside), all(kNearest)), at.product};
-        const V start = rootOf(upTo(startOf(m_form), point));
-        const V last = hn::Max(hn::Mul(rootOf(upTo(endOf(m_form), point)), all(kWithin)), start);
-        const V surplusAtStart = surplusAt(start, point);
-        Search search{start, last, start, surplusAtStart};
-        M found = hn::Gt(point.product, all(kFar)); // none
-        M rising = hn::Gt(surplusAtStart, hn::Zero(kFloats));
-        V before = start;
-        for (int k = 1; k <= kSteps; ++k) {
-            const V chord = productPlus(hn::Sub(last, start), all(placeOf(k)), start);
-            const V surplus = surplusAt(chord, point);
-            const M rises = hn::Gt(surplus, hn::Zero(kFloats));
-            const M turns = hn::AndNot(rising, rises);
-            m_ambiguous |= any(hn::And(turns, found));
-            const M first = hn::AndNot(found, turns);
-            search.to = hn::IfThenElse(first, chord, search.to);
-            search.from = hn::IfThenElse(first, before, search.from);
-            found = hn::Or(found, turns);
-            rising = rises;
-            before = chord;
-            const M better = hn::Gt(surplus, search.most);
-            search.most = hn::IfThenElse(better, surplus, search.most);
-            search.best = hn::IfThenElse(better, chord, search.best);
-        }
-        V chord = turning(search, point);
-        if (!hn::AllTrue(kFloats, found))
-            chord = hn::IfThenElse(found, chord, nearestTo(search, start, last, point));
-        noteRim(point, chord, found);
-        counts = found;
+        const Search search = searchFrom<kSteps>(startFor(point), point);
+        V chord = turning<kHalvings>(search, point);
+        if (!hn::AllTrue(kFloats, search.found))
+            chord = hn::IfThenElse(search.found, chord, nearestTo(search, point));
+        noteRim(point, chord, search.found);
+        counts = search.found;
         return std::is_same_v<Form, LineForm> ? square(hn::Div(chord, point.aside)) : square(chord);
+    }
+
+    /// The square of how far ahead the cutter is, for a point that is not used for a fit: accurate enough for
+    /// the height there. Where it rises from the start on, that is the start; if there is no lowest place,
+    /// roughly where the height falls least fast.
+    HWY_INLINE V ahead2(V across2) {
+        const PointAside at = m_way(across2);
+        const PointAside point{hn::Max(at.aside, all(kNearest)), at.product};
+        const V start = startFor(point);
+        const Search search = searchFrom<kFewSteps>(start, point);
+        const M risesAtOnce = hn::Gt(surplusAt(start, point), hn::Zero(kFloats));
+        const V place = hn::IfThenElse(search.found, turning<kFewHalvings>(search, point), search.best);
+        return square(hn::IfThenElse(risesAtOnce, start, place));
     }
 
     HWY_INLINE V height(V variable, V value) const {
@@ -199,6 +190,8 @@ private:
     static constexpr int kSteps = 24;
     static constexpr float kWithin = 1 - 1e-6F; ///< the end, where arcs are vertical
     static constexpr int kHalvings = 30;
+    static constexpr int kFewSteps = 12;
+    static constexpr int kFewHalvings = 11;  ///< of such a step, to where height hardly changes
     static constexpr float kNearest = 1e-4F; ///< mm: the least distance from the path, to avoid division by
                                              ///< zero
     static constexpr int kThirds = 12;
@@ -206,15 +199,18 @@ private:
     static constexpr float kMostError = 2e-4F;
 
     struct Search {
-        V from;
+        V start;
+        V last;
+        V from; ///< the lowest place is between these
         V to;
-        V best;
+        M found; ///< if there is one
+        V best;  ///< where the surplus is
         V most;
     };
 
     /// As a fraction of the last chord; dense near it, where arcs become steep.
-    static constexpr float placeOf(int step) {
-        const float part = static_cast<float>(step) / kSteps;
+    static constexpr float placeOf(int step, int steps) {
+        const float part = static_cast<float>(step) / static_cast<float>(steps);
         return std::is_same_v<Form, HollowForm> ? part * part : part * (2 - part);
     }
     /// The square of the chord at which a point has this distance from the axis.
@@ -227,8 +223,38 @@ private:
         const V steep = hn::Mul(steepness(m_form, distance2), point.product);
         return hn::Sub(hn::Mul(steep, hn::Mul(chord, Way::cosine(chord))), m_fall);
     }
+    [[nodiscard]] HWY_INLINE V startFor(const PointAside& point) const {
+        return rootOf(upTo(startOf(m_form), point));
+    }
+    template<int steps>
+    [[nodiscard]] HWY_INLINE Search searchFrom(V start, const PointAside& point) {
+        const V last = hn::Max(hn::Mul(rootOf(upTo(endOf(m_form), point)), all(kWithin)), start);
+        const V surplusAtStart = surplusAt(start, point);
+        const M none = hn::Gt(point.product, all(kFar));
+        Search search{start, last, start, last, none, start, surplusAtStart};
+        M rising = hn::Gt(surplusAtStart, hn::Zero(kFloats));
+        V before = start;
+        for (int k = 1; k <= steps; ++k) {
+            const V chord = productPlus(hn::Sub(last, start), all(placeOf(k, steps)), start);
+            const V surplus = surplusAt(chord, point);
+            const M rises = hn::Gt(surplus, hn::Zero(kFloats));
+            const M turns = hn::AndNot(rising, rises);
+            m_ambiguous |= any(hn::And(turns, search.found));
+            const M first = hn::AndNot(search.found, turns);
+            search.to = hn::IfThenElse(first, chord, search.to);
+            search.from = hn::IfThenElse(first, before, search.from);
+            search.found = hn::Or(search.found, turns);
+            rising = rises;
+            before = chord;
+            const M better = hn::Gt(surplus, search.most);
+            search.most = hn::IfThenElse(better, surplus, search.most);
+            search.best = hn::IfThenElse(better, chord, search.best);
+        }
+        return search;
+    }
+    template<int halvings>
     [[nodiscard]] HWY_INLINE V turning(Search search, const PointAside& point) const {
-        for (int k = 0; k < kHalvings; ++k) {
+        for (int k = 0; k < halvings; ++k) {
             const V middle = hn::Mul(all(0.5F), hn::Add(search.from, search.to));
             const M beyond = hn::Gt(surplusAt(middle, point), hn::Zero(kFloats));
             search.to = hn::IfThenElse(beyond, middle, search.to);
@@ -237,13 +263,12 @@ private:
         return hn::Mul(all(0.5F), hn::Add(search.from, search.to));
     }
     /// The chord where the height falls least fast.
-    [[nodiscard]] HWY_INLINE V nearestTo(const Search& search, V start, V last,
-                                         const PointAside& point) const {
+    [[nodiscard]] HWY_INLINE V nearestTo(const Search& search, const PointAside& point) const {
         if constexpr (std::is_same_v<Form, FlatForm>)
             return all(Way::kLongest);
-        const V step = hn::Mul(hn::Sub(last, start), all(2.0F / kSteps));
-        V from = hn::Max(hn::Sub(search.best, step), start);
-        V to = hn::Min(hn::Add(search.best, step), last);
+        const V step = hn::Mul(hn::Sub(search.last, search.start), all(2.0F / kSteps));
+        V from = hn::Max(hn::Sub(search.best, step), search.start);
+        V to = hn::Min(hn::Add(search.best, step), search.last);
         for (int k = 0; k < kThirds; ++k) {
             const V third = hn::Mul(all(1 / 3.0F), hn::Sub(to, from));
             const V low = hn::Add(from, third);

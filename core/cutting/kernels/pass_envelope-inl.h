@@ -268,10 +268,14 @@ struct SlopedEnvelope {
         : form(pass), lead(leadOfPass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)),
           slope(all(pass.slope)), ahead(all(pass.slope < 0 ? 1.0F : -1.0F)), rim2(all(pass.rim2)) {}
     HWY_INLINE Cut operator()(V along, V across) const {
+        return withLead(lead(square(across)), along, across);
+    }
+    /// The same where the lead is known.
+    HWY_INLINE Cut withLead(V leadOfPoint, V along, V across) const {
         const V across2 = square(across);
         const V off = hn::Sub(along, hn::Min(hn::Max(along, begin), end));
         const M under = hn::Le(productPlus(off, off, across2), rim2);
-        const V place = hn::Min(hn::Max(productPlus(ahead, lead(across2), along), begin), end);
+        const V place = hn::Min(hn::Max(productPlus(ahead, leadOfPoint, along), begin), end);
         const V away = hn::Sub(along, place);
         const V height = form.height(productPlus(away, away, across2));
         return {hn::Add(productPlus(slope, place, z), height), under};

@@ -18,6 +18,11 @@ bool worthFitting(const ConvexProfile& profile, double length, const TileSpacing
     return reachesOver(kPoints, profile.rim, length, spacing);
 }
 
+/// The leads of such a path are solved once per row or column of a block.
+bool alongGrid(const StraightPath& path) {
+    return path.along.x == 0 || path.along.y == 0;
+}
+
 /// Cutting the hollow as many lines instead costs more.
 bool worthFitting(const HollowedProfiles& profiles, double length, const TileSpacing& spacing) {
     constexpr double kPoints = 2'000;
@@ -38,7 +43,7 @@ SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const Straight
         return;
     for (const ConvexProfile& profile : profiles) {
         m_straight.emplace_back(profile, path);
-        if (path.slope != 0 && worthFitting(profile, path.length, spacing))
+        if (path.slope != 0 && !alongGrid(path) && worthFitting(profile, path.length, spacing))
             m_straight.back().fitLeads();
     }
 }
@@ -52,10 +57,8 @@ SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath&
     if (allSuffice(RoundPass::suffices) && addRound<ConvexProfile>(profiles, path))
         return;
     m_round.clear();
-    if (allSuffice(CurvePass::suffices)) {
-        for (const ConvexProfile& profile : profiles)
-            m_curves.emplace_back(profile, path);
-    }
+    if (!profiles.empty() && allSuffice(CurvePass::suffices))
+        m_curve.emplace(profiles, path);
 }
 
 template<class Profile>
@@ -91,12 +94,17 @@ SweepPasses::SweepPasses(const HollowedProfiles& profiles, const StraightPath& p
 }
 
 SweepPasses::SweepPasses(const HollowedProfiles& profiles, const ArcPath& path, const TileSpacing& spacing) {
-    const auto suffices = [&](const ConvexProfile& profile) {
-        return RoundPass::suffices(profile, path, spacing);
+    const auto allSuffice = [&](const auto& suffices) {
+        return std::ranges::all_of(
+                   profiles.convex,
+                   [&](const ConvexProfile& profile) { return suffices(profile, path, spacing); }) &&
+               std::ranges::all_of(profiles.hollow, [&](const HollowProfile& hollow) {
+                   return suffices(hollow.below, path, spacing);
+               });
     };
-    const auto hollowSuffices = [&](const HollowProfile& hollow) { return suffices(hollow.below); };
-    if (path.climb == 0 || !std::ranges::all_of(profiles.convex, suffices) ||
-        !std::ranges::all_of(profiles.hollow, hollowSuffices))
+    if (path.normal != 2 && path.climb == 0 && allSuffice(CurvePass::suffices))
+        m_curve.emplace(profiles, path);
+    if (path.climb == 0 || !allSuffice(RoundPass::suffices))
         return;
     if (!addRound<ConvexProfile>(profiles.convex, path) || !addRound<HollowProfile>(profiles.hollow, path))
         m_round.clear();
@@ -116,8 +124,8 @@ SweepPasses::SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const
 
 double SweepPasses::costOfPoint() const {
     constexpr double kOfCurve = 20; // measured: 100 ns against 5
-    return m_curves.empty() ? static_cast<double>(m_straight.size() + m_round.size())
-                            : kOfCurve * static_cast<double>(m_curves.size());
+    return m_curve ? kOfCurve * static_cast<double>(m_curve->profileCount())
+                   : static_cast<double>(m_straight.size() + m_round.size());
 }
 
 void SweepPasses::addOverTile(double x, double y, const TileSpacing& spacing,
@@ -126,8 +134,8 @@ void SweepPasses::addOverTile(double x, double y, const TileSpacing& spacing,
         passes.push_back(pass.overTile(x, y, spacing));
     for (const RoundPass& pass : m_round)
         passes.push_back(pass.overTile(x, y, spacing));
-    for (const CurvePass& curve : m_curves)
-        curve.addOverTile(x, y, spacing, passes);
+    if (m_curve)
+        m_curve->addOverTile(x, y, spacing, passes);
 }
 
 } // namespace proveout

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,7 @@ public:
     SweepPasses(const HollowedProfiles& profiles, const StraightPath& path, const TileSpacing& spacing);
     SweepPasses(const HollowedProfiles& profiles, const ArcPath& path, const TileSpacing& spacing);
 
-    [[nodiscard]] bool empty() const { return m_straight.empty() && m_round.empty() && m_curves.empty(); }
+    [[nodiscard]] bool empty() const { return m_straight.empty() && m_round.empty() && !m_curve; }
     /// The largest work on one point, as a multiple of that on a point of a straight motion.
     [[nodiscard]] double costOfPoint() const;
     /// Adds the passes that may reach the tile with its middle at (x, y), in the path's coordinates.
@@ -44,7 +45,7 @@ private:
 
     std::vector<StraightPass> m_straight;
     std::vector<RoundPass> m_round;
-    std::vector<CurvePass> m_curves;
+    std::optional<CurvePass> m_curve;
 };
 
 } // namespace proveout
