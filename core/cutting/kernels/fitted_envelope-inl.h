@@ -78,8 +78,8 @@ HWY_INLINE BandFit bandsOutside(const TilePass& pass, std::size_t block) {
 /// Whether an envelope has a form over one block that costs less.
 template<class Envelope>
 inline constexpr bool kOfBlocks = false;
-template<>
-inline constexpr bool kOfBlocks<SlopedEnvelope<CornerForm, CornerLead>> = true;
+template<class Form, class Lead>
+inline constexpr bool kOfBlocks<SlopedEnvelope<Form, Lead>> = true;
 template<>
 inline constexpr bool kOfBlocks<HollowEnvelope> = true;
 template<class Form>
@@ -103,6 +103,15 @@ HWY_INLINE void withAlignedEnvelope(const Envelope& envelope, const Lead& lead, 
 }
 
 // Each calls `work` with that form.
+
+template<class Form, class Lead, class Work>
+HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<Form, Lead>& envelope, const TilePass& pass,
+                                  const BlockPlaces& places, std::size_t, std::uint32_t groups,
+                                  const Work& work) {
+    if (alongGrid(pass))
+        return withAlignedEnvelope(envelope, envelope.lead, pass, places, groups, work);
+    work(envelope);
+}
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& envelope,
