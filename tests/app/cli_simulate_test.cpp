@@ -223,6 +223,16 @@ TEST_F(CliSimulate, UntilStopsAfterABlockOrALine) {
         EXPECT_EQ(simulate("--json --until " + until).json()["motions"], count) << until;
 }
 
+TEST_F(CliSimulate, UntilALineIncludesTheSubprogramThatItCalls) {
+    write("sub.ngc", "o<sub> sub\nG1 X20 F300\nX25\no<sub> endsub\nM2\n");
+    write("call.ngc",
+          "T1 M6\nG0 X5 Y5 Z5\no<sub> call\no1 call\nS100\nG1 X10\nM2\no1 sub\nG1 X15\no1 endsub\n");
+    for (const auto& [until, count] :
+         std::map<std::string, int>{{"L2", 1}, {"L3", 3}, {"L4", 4}, {"L5", 4}, {"L6", 5}, {"L9", 4}})
+        EXPECT_EQ(run("simulate call.ngc --json --until " + until + kStock + kTool).json()["motions"], count)
+            << until;
+}
+
 TEST_F(CliSimulate, ZMapHasAbsoluteHeightsRowZeroAtTheLeastY) {
     ASSERT_EQ(run("simulate p.nc --zmap a.npy --stock-origin 0,0,1" + kStock + kTool).exitCode, 0);
     const auto heights = readNpy(folder / "a.npy");

@@ -31,12 +31,6 @@ constexpr double kLags = 0.95; // share of the requested speed
 constexpr int kMostDecimals = 3;
 constexpr double kWidestLag = 1000; // factor of the unit speed, for the widest text
 
-/// The number of blocks executed when a breakpoint at `line` first stops.
-std::size_t blockBefore(const Program& program, std::uint32_t line) {
-    const std::size_t after = program.blocksAfterLine(line);
-    return after > 0 && program.blockLine(after - 1) == line ? after - 1 : after;
-}
-
 /// Two significant digits without an exponent, because a speed must be readable at a glance.
 QString roundedText(const QLocale& locale, double value) {
     if (!(value > 0) || !std::isfinite(value))
@@ -209,8 +203,8 @@ void TimelinePanel::showProgram() {
         }
         for (const Breakpoint& breakpoint : m_session.breakpoints().all()) {
             if (breakpoint.enabled && breakpoint.kind == BreakpointKind::line)
-                marks.push_back(
-                    {blockBefore(*program, breakpoint.line), TimelineMark::Kind::breakpoint, Severity::note});
+                marks.push_back({program->blocksBeforeLine(breakpoint.line), TimelineMark::Kind::breakpoint,
+                                 Severity::note});
         }
     }
     m_scale->setMarks(std::move(marks));

@@ -24,13 +24,13 @@ constexpr std::uint8_t kPathFlags = kStartAtReferenceFlag | kEndAtReferenceFlag 
 Program::Extent Program::extent() const {
     return {m_motions.size(),       m_arcs.size(),   m_states.size(),      m_blocks.size(), m_jumps.size(),
             m_compensations.size(), m_events.size(), m_diagnostics.size(), m_bounds,        m_cuttingBounds,
-            m_pendingLine,          m_blockPending,  m_linesRise,          m_settled};
+            m_pendingLine,          m_blockPending,  m_lines.extent(),     m_settled};
 }
 
 Program::Program(const Program& other, const Extent& extent)
     : m_settled(extent.motions), m_bounds(extent.bounds), m_cuttingBounds(extent.cuttingBounds),
-      m_pendingLine(extent.pendingLine), m_blockPending(extent.blockPending), m_linesRise(extent.linesRise),
-      m_dialect(other.m_dialect) {
+      m_pendingLine(extent.pendingLine), m_blockPending(extent.blockPending),
+      m_lines(other.m_lines, extent.lines), m_dialect(other.m_dialect) {
     // Reserves memory for about as much again as the other one has after it.
     m_motions.reserve(other.m_motions.size());
     m_blocks.reserve(other.m_blocks.size());
@@ -106,15 +106,14 @@ std::vector<Program::ToolRun> Program::toolRuns() const {
     std::vector<ToolRun> runs;
     auto first = m_motions.begin();
     while (first != m_motions.end()) {
-        const std::uint32_t state = first->state;
-        const auto same = [state](const PackedMotion& motion) { return motion.state == state; };
+        const auto same = [&](const PackedMotion& motion) { return motion.state == first->state; };
         // Runs may be short and many: the steps double, until one leads out of the run.
         std::ptrdiff_t step = 1;
         while (step < m_motions.end() - first && same(first[step]))
             step *= 2;
         const auto last = std::partition_point(first, first + std::min(step, m_motions.end() - first), same);
         const auto end = static_cast<std::size_t>(last - m_motions.begin());
-        const int tool = m_states[state].tool;
+        const int tool = m_states[first->state].tool;
         if (!runs.empty() && runs.back().tool == tool)
             runs.back().last = end;
         else
@@ -124,20 +123,18 @@ std::vector<Program::ToolRun> Program::toolRuns() const {
     return runs;
 }
 
+std::size_t Program::blocksBeforeLine(std::uint32_t line) const {
+    return firstBlockFrom(line, m_lines.beginOf(line));
+}
+
 std::size_t Program::blocksAfterLine(std::uint32_t line) const {
-    const auto behind = [line](const PackedBlock& block) { return block.line > line; };
-    if (m_linesRise) {
-        const auto next = std::partition_point(m_blocks.begin(), m_blocks.end(),
-                                               [&](const PackedBlock& block) { return !behind(block); });
-        return static_cast<std::size_t>(next - m_blocks.begin());
-    }
-    // If lines are executed again or out of order, the first execution of the line counts.
-    const auto at = std::find_if(m_blocks.begin(), m_blocks.end(),
-                                 [line](const PackedBlock& block) { return block.line == line; });
-    if (at != m_blocks.end())
-        return static_cast<std::size_t>(at - m_blocks.begin()) + 1;
-    const auto next = std::find_if(m_blocks.begin(), m_blocks.end(), behind);
-    return static_cast<std::size_t>(next - m_blocks.begin());
+    return firstBlockFrom(line + 1, m_lines.endOf(line));
+}
+
+std::size_t Program::firstBlockFrom(std::uint32_t line, const LineOrder::Range& among) const {
+    const auto to = [&](std::size_t block) { return m_blocks.data() + std::min(block, blockCount()); };
+    const auto* at = std::ranges::lower_bound(to(among.first), to(among.last), line, {}, &PackedBlock::line);
+    return static_cast<std::size_t>(at - m_blocks.data());
 }
 
 std::size_t Program::firstDifference(const Program& other) const {
@@ -237,7 +234,6 @@ void Program::cutBack(const Extent& extent) {
     m_cuttingBounds = extent.cuttingBounds;
     m_pendingLine = extent.pendingLine;
     m_blockPending = extent.blockPending;
-    m_linesRise = extent.linesRise;
     m_settled = extent.settled;
     settle();
 }
@@ -245,7 +241,7 @@ void Program::cutBack(const Extent& extent) {
 std::size_t Program::bytes() const {
     const auto of = [](const auto& all) { return all.size() * sizeof(all.front()); };
     return of(m_motions) + of(m_arcs) + of(m_states) + of(m_blocks) + of(m_jumps) + of(m_compensations) +
-           of(m_events);
+           of(m_events) + m_lines.bytes();
 }
 
 void Program::addToBounds(const Motion& motion) {
@@ -260,7 +256,6 @@ void Program::addToBounds(const Motion& motion) {
 void Program::store(const Motion& motion) {
     const auto index = static_cast<std::uint32_t>(m_motions.size());
     if (m_blockPending) {
-        m_linesRise = m_linesRise && (m_blocks.empty() || m_blocks.back().line <= m_pendingLine);
         m_blocks.push_back({index, m_pendingLine});
         m_blockPending = false;
     }

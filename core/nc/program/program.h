@@ -14,6 +14,7 @@
 #include "core/base/geometry.h"
 #include "core/nc/codes/ignored_codes.h"
 #include "core/nc/program/control_state.h"
+#include "core/nc/program/line_order.h"
 #include "core/nc/program/line_values.h"
 #include "core/nc/program/motion.h"
 #include "core/nc/text/dialect.h"
@@ -85,8 +86,10 @@ public:
     };
     [[nodiscard]] MotionRange blockMotions(std::size_t index) const;
     [[nodiscard]] std::uint32_t blockLine(std::size_t index) const;
-    /// How many motion blocks have been executed after source line `line`, at its first execution (0: none;
-    /// blockCount() if the line is after the last one).
+    /// How many motion blocks have been executed before and after source line `line` at its first execution,
+    /// which includes the subprograms that it calls. If it is never executed, both are those before the next
+    /// line that is, or blockCount().
+    [[nodiscard]] std::size_t blocksBeforeLine(std::uint32_t line) const;
     [[nodiscard]] std::size_t blocksAfterLine(std::uint32_t line) const;
 
     /// Consecutive motions [first, last) with one tool in the spindle.
@@ -147,7 +150,7 @@ public:
         Box3 cuttingBounds;
         std::uint32_t pendingLine = 0;
         bool blockPending = false;
-        bool linesRise = true;
+        LineOrder::Extent lines;
         std::size_t settled = 0; ///< number of motions included in the bounds
     };
 
@@ -160,6 +163,10 @@ public:
     [[nodiscard]] Extent extent() const;
     /// Whether the ends of all motions are final.
     [[nodiscard]] bool settled() const { return m_settled == m_motions.size(); }
+    /// Before each line is executed; see LineOrder.
+    void beginLine(std::uint32_t line, std::size_t openCalls) {
+        m_lines.begin(line, openCalls, m_blocks.size());
+    }
     void beginBlock(std::uint32_t line); ///< motions appended from here on belong to one block
     void append(const Motion& motion);
     /// A motion under cutter compensation. Its end may be moved until `settle`.
@@ -228,6 +235,7 @@ private:
         glm::vec3 offset;
     };
 
+    [[nodiscard]] std::size_t firstBlockFrom(std::uint32_t line, const LineOrder::Range& among) const;
     void store(const Motion& motion);
     void addToBounds(const Motion& motion);
     [[nodiscard]] Vec3 startOf(std::size_t index) const;
@@ -249,7 +257,7 @@ private:
     Box3 m_cuttingBounds;
     std::uint32_t m_pendingLine = 0;
     bool m_blockPending = false;
-    bool m_linesRise = true; ///< no line was executed after a later one
+    LineOrder m_lines;
     bool m_unverified = false;
     bool m_asksForTools = false;
     bool m_asksForStock = false;

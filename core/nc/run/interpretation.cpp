@@ -144,6 +144,8 @@ bool Interpretation::runLine() {
     m_calls.step();
     if (!m_repeats.mayRun())
         return false;
+    m_program->beginLine(m_calls.inMainText() ? static_cast<std::uint32_t>(m_calls.at() + 1) : 0,
+                         m_calls.depth());
     const RepeatGuard::Started started = m_repeats.begin(m_run.read.linesRead);
     const bool continues = m_lines.run();
     m_repeats.end(started, m_lines.consumeDependence());

@@ -19,8 +19,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool reachesLine(const ArmedBreakpoint& armed, const Program& program, std::size_t block) {
-    return armed.insteadOfLine ? *armed.insteadOfLine == block
-                               : program.blockLine(block) == armed.breakpoint.line;
+    return armed.insteadOfLine == block || program.blockLine(block) == armed.breakpoint.line;
 }
 
 /// Whether an event of some kind happens right before a block, or within it.
@@ -187,8 +186,8 @@ void Breakpoints::follow(const Program& program, const ToolChoice& tools) {
         armed.insteadOfLine.reset();
         if (armed.breakpoint.kind != BreakpointKind::line)
             continue;
-        const std::size_t block = program.blocksAfterLine(armed.breakpoint.line);
-        if (block == 0 || program.blockLine(block - 1) != armed.breakpoint.line)
+        const std::size_t block = program.blocksBeforeLine(armed.breakpoint.line);
+        if (block == program.blockCount() || program.blockLine(block) != armed.breakpoint.line)
             armed.insteadOfLine = block;
     }
 }

@@ -80,8 +80,11 @@ std::string differenceOfBlocks(const Program& a, const Program& b) {
         return fmt::format("{} blocks of {}, {} of {}", a.blockCount(), a.sourceBlockCount(), b.blockCount(),
                            b.sourceBlockCount());
     for (std::size_t i = 0; i < a.blockCount(); ++i) {
-        if (a.blockLine(i) != b.blockLine(i) || a.blockMotions(i).first != b.blockMotions(i).first ||
-            a.blocksAfterLine(a.blockLine(i)) != b.blocksAfterLine(a.blockLine(i)))
+        const std::uint32_t line = a.blockLine(i);
+        if (line != b.blockLine(i) || a.blockMotions(i).first != b.blockMotions(i).first ||
+            a.blocksBeforeLine(line) != b.blocksBeforeLine(line) ||
+            a.blocksAfterLine(line) != b.blocksAfterLine(line) ||
+            a.blocksAfterLine(line + 1) != b.blocksAfterLine(line + 1))
             return fmt::format("block {}", i);
     }
     return {};

@@ -119,8 +119,20 @@ std::string brokenByBlocks(const NcText& text, const Program& program) {
     }
     if (next != program.motionCount())
         return "a motion belongs to no block";
-    if (program.blocksAfterLine(static_cast<std::uint32_t>(text.lineCount())) > program.blockCount())
-        return "a line stands behind the last block";
+    std::size_t passed = 0;
+    for (std::uint32_t line = 0; line <= text.lineCount(); ++line) {
+        const std::size_t before = program.blocksBeforeLine(line);
+        const std::size_t after = program.blocksAfterLine(line);
+        if (before > after || after > program.blockCount())
+            return "the blocks of line " + std::to_string(line) + " are not those of the program";
+        if (program.runsAgain())
+            continue;
+        const std::size_t passedBefore = passed;
+        while (passed < program.blockCount() && program.blockLine(passed) <= line)
+            ++passed;
+        if (before != passedBefore || after != passed)
+            return "the blocks before or after line " + std::to_string(line) + " are others";
+    }
     return program.firstDifference(program) == program.blockCount() ? "" : "a program differs from itself";
 }
 

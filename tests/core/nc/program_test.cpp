@@ -141,6 +141,7 @@ TEST(Program, CountsTheBlocksThatMove) {
 TEST(Program, TakesTheFirstExecutionOfALine) {
     Program program;
     for (const std::uint32_t line : {5U, 2U, 3U, 2U, 3U, 6U}) {
+        program.beginLine(line, 0);
         program.beginBlock(line);
         program.append(Motion{});
     }

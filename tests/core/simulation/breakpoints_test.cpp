@@ -80,6 +80,26 @@ TEST(Breakpoints, StopEachTimeThatALineRunsAgain) {
               (Blocks{1, 3, 5}));
 }
 
+TEST(Breakpoints, StopBeforeTheSubprogramThatALineCalls) {
+    const std::string text = "G0 X0 Y0 Z5\n"       // 1
+                             "o1 call\n"           // 2
+                             "S1000\n"             // 3
+                             "G0 X2\n"             // 4  block 3
+                             "M2\n"                // 5
+                             "o1 sub\n"            // 6
+                             "G1 X5 F100\nG1 X0\n" // 7, 8  blocks 1, 2
+                             "o1 endsub\n";
+    const auto stopsAt = [&](std::uint32_t line) {
+        Breakpoint breakpoint;
+        breakpoint.line = line;
+        return stops(breakpoint, text);
+    };
+    EXPECT_EQ(stopsAt(2), Blocks{1});
+    EXPECT_EQ(stopsAt(3), Blocks{3}) << "the next that moves";
+    EXPECT_EQ(stopsAt(4), Blocks{3});
+    EXPECT_EQ(stopsAt(8), Blocks{2});
+}
+
 TEST(Breakpoints, StopAtToolChangesAndStops) {
     EXPECT_EQ(stops(of(BreakpointKind::toolChange)), (Blocks{0, 7}));
     EXPECT_EQ(stops(of(BreakpointKind::programStop)), Blocks{4});
