@@ -13,8 +13,9 @@ constexpr std::uint64_t kReserve = 32'000'000;
 
 } // namespace
 
-MemoryWatch::MemoryWatch(std::uint64_t mostBytes, MemorySources sources, std::chrono::milliseconds between)
-    : m_most(mostBytes), m_sources(std::move(sources)), m_between(between),
+MemoryWatch::MemoryWatch(std::uint64_t mostBytes, MemorySources sources, std::chrono::milliseconds between,
+                         IsCause isCause)
+    : m_most(mostBytes), m_sources(std::move(sources)), m_between(between), m_isCause(std::move(isCause)),
       m_thread([this](const std::stop_token& end) { watch(end); }) {
     if (isTooMuch())
         m_work.request_stop();
@@ -33,7 +34,9 @@ void MemoryWatch::watch(const std::stop_token& end) {
 
 bool MemoryWatch::isTooMuch() const {
     try {
-        return residentMemoryBytes(m_sources) > m_most || machineMemoryBytes(m_sources) < kReserve;
+        if (residentMemoryBytes(m_sources) > m_most && (!m_isCause || m_isCause()))
+            return true;
+        return machineMemoryBytes(m_sources) < kReserve;
     } catch (const std::bad_alloc&) {
         return true;
     }

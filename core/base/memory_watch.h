@@ -4,9 +4,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 #include "core/base/memory.h"
 
@@ -17,9 +19,15 @@ namespace proveout {
 /// work may exceed the limit by what it allocates in that time. Any thread may ask it.
 class MemoryWatch {
 public:
-    /// `mostBytes`: the resident size that the process may reach; less if the machine has less available.
+    /// Whether the work, and not another one in the same process, takes too much; asked in any thread.
+    using IsCause = std::function<bool()>;
+
+    /// `mostBytes`: the resident size that the process may reach, for which the work counts as the cause if
+    /// nothing else is known; less if the machine has less available.
     explicit MemoryWatch(std::uint64_t mostBytes, MemorySources sources = {},
-                         std::chrono::milliseconds between = kUsuallyBetween);
+                         std::chrono::milliseconds between = kUsuallyBetween, IsCause isCause = {});
+    MemoryWatch(std::uint64_t mostBytes, IsCause isCause)
+        : MemoryWatch(mostBytes, {}, kUsuallyBetween, std::move(isCause)) {}
     ~MemoryWatch();
     MemoryWatch(const MemoryWatch&) = delete;
     MemoryWatch& operator=(const MemoryWatch&) = delete;
@@ -37,6 +45,7 @@ private:
     std::uint64_t m_most;
     MemorySources m_sources;
     std::chrono::milliseconds m_between; ///< two looks
+    IsCause m_isCause;
     std::stop_source m_work;
     std::mutex m_mutex;
     std::condition_variable_any m_ended;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -34,6 +36,10 @@ public:
         std::unique_ptr<Worker> m_worker;
     };
 
+    /// Counts the triangles that the workers made.
+    void noteFaces(std::size_t count) { m_faces += count; }
+    [[nodiscard]] std::size_t facesMade() const { return m_faces; }
+
 private:
     std::unique_ptr<Worker> acquire(const DecimationMethodRow& method) {
         {
@@ -51,6 +57,7 @@ private:
         m_idle.push_back(std::move(worker));
     }
 
+    std::atomic<std::size_t> m_faces = 0;
     std::mutex m_mutex;
     std::vector<std::unique_ptr<Worker>> m_idle;
 };

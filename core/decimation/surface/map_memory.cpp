@@ -22,6 +22,7 @@ constexpr double kMachined = 12; ///< all of that for a machined surface: 10 to 
 constexpr double kMap = 4.1;     ///< another map, in tiles
 /// A region with its borders and its entries in arrays, without triangles; measured on planes.
 constexpr double kRegion = 500;
+constexpr double kFacesPerPoint = 2; ///< without decimation
 
 bool decimates(const DecimationParameters& parameters) {
     return row(parameters.method).create != nullptr && parameters.allowance > 0;
@@ -101,14 +102,19 @@ double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutput
            std::max(whole + more, outputs.solid ? kSolid : 0);
 }
 
+double scheduledBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs,
+                      std::size_t faces) {
+    return zmapBytes(grid) + pointsOf(grid) * certainBytesPerPoint(parameters, outputs) +
+           static_cast<double>(faces) * row(parameters.method).bytesPerPoint / kFacesPerPoint;
+}
+
 double mapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {
     return zmapBytes(grid) + pointsOf(grid) * meshBytesPerPoint(parameters, outputs);
 }
 
 double surfaceBytes(const Grid& grid, std::size_t faces, const MapOutputs& outputs) {
-    constexpr double kFacesPerPoint = 2; // without decimation
-    constexpr double kMarks = 0.25;      // per point: of LatticeNumbers, and whether it is at a hole
-    constexpr double kBlock = 272;       // of LatticeNumbers, for 64 points, if one of them is a vertex
+    constexpr double kMarks = 0.25; // per point: of LatticeNumbers, and whether it is at a hole
+    constexpr double kBlock = 272;  // of LatticeNumbers, for 64 points, if one of them is a vertex
     const double points = pointsOf(grid);
     const double vertices = static_cast<double>(faces) / kFacesPerPoint;
     const double numbers = kMarks * points + kBlock * std::min(points / 64, vertices);

@@ -38,6 +38,11 @@ struct MapOutputs {
 /// The same for the meshes that remain once everything is made.
 [[nodiscard]] double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
 
+/// Bytes of a map and what is made from it while it is cut, of which the decimated regions have so many
+/// triangles.
+[[nodiscard]] double scheduledBytes(const Grid& grid, const DecimationParameters& parameters,
+                                    const MapOutputs& outputs, std::size_t faces);
+
 /// The largest number of bytes that a map and what is made from it need at any one time.
 [[nodiscard]] double mapBytes(const Grid& grid, const DecimationParameters& parameters,
                               const MapOutputs& outputs);

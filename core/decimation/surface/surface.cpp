@@ -79,6 +79,10 @@ Surface::Surface(int nx, int ny, const DecimationParameters& parameters)
     m_state.dirtyRegions = m_dirty.size();
 }
 
+std::size_t Surface::facesMade() const {
+    return m_pool ? m_pool->facesMade() : 0;
+}
+
 std::size_t Surface::touch(const IndexRect& changed) {
     const std::size_t before = m_state.dirtyRegions;
     const IndexRect regions = grid().regionsTouching(changed);
@@ -92,6 +96,7 @@ void Surface::touchRegion(std::size_t region) {
     if (isDirty(region))
         return;
     m_state.faces -= m_state.meshes[region]->triangles.size();
+    m_facesHeld -= m_state.meshes[region]->triangles.size();
     m_state.meshes.edit(region) = nullptr;
     m_state.faces += fullRegionFaces(grid(), region, m_state.regionBorders(region));
     m_dirty.insert(region);
@@ -277,12 +282,14 @@ RegionMeshPtr Surface::decimated(std::size_t region, const std::array<BorderLine
     RegionMesh mesh = decimator.decimate(grid(), samples, borders,
                                          mixSeed(m_parameters.seed, kRegionSeeds, region), parameters, stop);
     mesh.allowance = parameters.allowance;
+    m_pool->noteFaces(mesh.triangles.size());
     return std::make_shared<const RegionMesh>(std::move(mesh));
 }
 
 void Surface::publish(std::size_t region, RegionMeshPtr mesh) {
     m_state.faces -= fullRegionFaces(grid(), region, m_state.regionBorders(region));
     m_state.faces += mesh->triangles.size();
+    m_facesHeld += mesh->triangles.size();
     m_state.meshes.edit(region) = std::move(mesh);
     m_dirty.erase(region);
     m_state.dirtyRegions = m_dirty.size();

@@ -73,6 +73,10 @@ public:
     [[nodiscard]] std::vector<std::size_t> listOfDirtyRegions() const { return m_dirty.list(); }
     [[nodiscard]] std::size_t faces() const { return m_state.faces; }
     [[nodiscard]] std::size_t facesFull() const { return m_state.facesFull; }
+    /// Triangles of the decimated regions: those that need memory.
+    [[nodiscard]] std::size_t facesHeld() const { return m_facesHeld; }
+    /// Triangles that were made so far, by this surface and its copies; any thread, also while it decimates.
+    [[nodiscard]] std::size_t facesMade() const;
 
     /// From now on each region has its own allowance: what a view tolerates, mm, per region, but no less than
     /// the allowance of the parameters (see RegionAllowances). Regions made with other allowances are drawn
@@ -124,6 +128,7 @@ private:
     RegionAllowances m_allowances;
     SurfaceSnapshot m_state;
     RegionSet m_dirty;
+    std::size_t m_facesHeld = 0;
     std::shared_ptr<DecimatorPool> m_pool; ///< copies of a surface borrow from the same pool
 };
 

@@ -88,7 +88,8 @@ void PlayAhead::run(const WorkContext& context) {
                     apart([&] { next = cutStretch(context.quiet()); });
             });
         };
-        (void)m_state.surfaceMemory.limit(now.points, context, work); // without a mesh, show() ends
+        (void)m_state.surfaceMemory.limit(m_state.surface, now.points, context,
+                                          work); // without a mesh, show() ends
         // The wall time of the threads is divided among what they did.
         const double ofCutting = cutSeconds(next);
         const double ofThreads = ofCutting + madeSeconds(now);

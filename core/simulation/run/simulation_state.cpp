@@ -127,7 +127,7 @@ double Simulation::State::decimate(std::span<const std::size_t> regions, const W
     if (surfaceMemory.isWatched() && !atRest.isShown())
         atRest = {}; // it may be large, and is made again
     const auto work = [&](const auto& limited) { surface.decimateRegions(regions, base.zmap, limited); };
-    if (!surfaceMemory.limit(surface.grid().pointsOf(regions.size()), context, work))
+    if (!surfaceMemory.limit(surface, surface.grid().pointsOf(regions.size()), context, work))
         giveUpSurface();
     const double seconds = watch.seconds();
     effort.decimationSeconds += seconds;

@@ -32,11 +32,13 @@ void SurfaceMemory::allow(std::uint64_t bytes) {
 void SurfaceMemory::begin(const Setup& setup, const Grid& grid, const DecimationParameters& parameters) {
     // While regions are made ahead (PlayAhead), those that they replace still exist.
     const double ahead = static_cast<double>(grid.nx) * grid.ny * row(parameters.method).bytesPerPoint;
+    m_grid = grid;
+    m_outputs = simulationOutputs(setup, true);
     m_worst = memoryForecast(setup, grid, parameters, true).most + ahead;
     m_exceeded = false;
 }
 
-bool SurfaceMemory::limit(std::size_t points, const WorkContext& context,
+bool SurfaceMemory::limit(const Surface& surface, std::size_t points, const WorkContext& context,
                           const std::function<void(const WorkContext&)>& work) {
     if (m_exceeded && points > 0)
         return false;
@@ -45,9 +47,14 @@ bool SurfaceMemory::limit(std::size_t points, const WorkContext& context,
         return true;
     }
     m_unseen = 0;
+    const std::size_t before = surface.facesMade();
+    const auto isCause = [&, held = surface.facesHeld(), parameters = surface.parameters()] {
+        const std::size_t faces = held + surface.facesMade() - before;
+        return scheduledBytes(m_grid, parameters, m_outputs, faces) > static_cast<double>(m_allowed);
+    };
     std::optional<MemoryWatch> memory;
     try {
-        memory.emplace(m_most);
+        memory.emplace(m_most, isCause);
     } catch (const std::system_error&) { // no memory for a thread
         m_exceeded = true;
         return false;

@@ -38,6 +38,14 @@ TEST(MemoryWatch, StopsWorkThatTakesMoreThanItMay) {
     EXPECT_TRUE(watch.stop().stop_requested());
 }
 
+TEST(MemoryWatch, ContinuesWorkThatIsNotTheCause) {
+    const MemoryWatch innocent(0, [] { return false; });
+    const MemoryWatch guilty(0, [] { return true; });
+    EXPECT_TRUE(guilty.exceeded());
+    std::this_thread::sleep_for(50ms);
+    EXPECT_FALSE(innocent.exceeded());
+}
+
 TEST(MemoryWatch, EndsWithoutWaitingForItsNextLook) {
     const auto begin = std::chrono::steady_clock::now();
     { const MemoryWatch watch(residentMemoryBytes() + 1000 * kMegabyte, {}, 1h); }

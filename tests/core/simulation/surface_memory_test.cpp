@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/simulation/setup/setup_memory.h"
@@ -51,6 +52,44 @@ TEST(SurfaceMemory, GivesUpASurfaceThatIsTooLargeAndCutsOn) {
         EXPECT_TRUE(sameZMap(frame.zmap, allowed->frame().zmap));
     }
     EXPECT_FALSE(hasFinding(allowed->frame()));
+}
+
+TEST(SurfaceMemory, IsKeptIfOtherWorkOfTheProcessTakesTheMemory) {
+    constexpr std::size_t kBlocks = 60;
+    const auto program = programOf(randomProgram(6, kBlocks));
+    const auto setup = manyPoints();
+    const Grid grid = makeGrid(setup->stock, setup->spacing).value();
+    const auto enough = static_cast<std::size_t>(0.9 * memoryForecast(*setup, grid, {}, true).most);
+    auto simulation = Simulation::prepare(program, setup, {}).value();
+    simulation->allowMemory(enough);
+    const std::vector<char> ofAnExport(enough + 64'000'000, 1);
+    simulation->seek(20);
+    simulation->play(kBlocks);
+    EXPECT_TRUE(simulation->settled());
+    EXPECT_FALSE(hasFinding(simulation->frame()));
+    const auto alone = startedSimulation(program, setup, {});
+    alone->seek(20);
+    alone->play(kBlocks);
+    EXPECT_EQ(difference(simulation->frame(), alone->frame()), "");
+}
+
+TEST(SurfaceMemory, IsGivenUpForTheTrianglesOfItsOwn) {
+    const auto program = programOf(randomProgram(7, 60));
+    const auto setup = manyPoints();
+    const auto alone = startedSimulation(program, setup, {});
+    alone->seek(60);
+    const std::size_t faces = alone->frame().surface.faces;
+    const Grid grid = makeGrid(setup->stock, setup->spacing).value();
+    for (const auto& [counted, isGivenUp] :
+         std::vector<std::pair<std::size_t, bool>>{{faces / 10, true}, {10 * faces, false}}) {
+        auto simulation = Simulation::prepare(program, setup, {}).value();
+        const auto most =
+            static_cast<std::size_t>(scheduledBytes(grid, {}, simulationOutputs(*setup, true), counted));
+        simulation->allowMemory(most);
+        const std::vector<char> ofAnExport(most + 64'000'000, 1);
+        simulation->seek(60);
+        EXPECT_EQ(hasFinding(simulation->frame()), isGivenUp) << counted << " of " << faces;
+    }
 }
 
 TEST(SurfaceMemory, IsDecimatedAgainWithOtherParameters) {
