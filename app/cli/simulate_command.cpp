@@ -89,9 +89,19 @@ public:
 private:
     template<class Value>
     bool fine(Result<Value>&& result) {
-        if (!result)
+        if (!result && reportRest())
             m_report.addFatal(std::move(result.error()));
         return result.has_value();
+    }
+
+    /// Reports the messages of a program that is still being read, because those of its setup follow them.
+    /// False if it turns out not to be a program.
+    bool reportRest() {
+        if (!m_reading || m_reading->isWhole())
+            return true;
+        while (!m_reading->isWhole())
+            m_program = m_reading->next();
+        return fine(reportProgram(*m_program, m_job, m_report));
     }
 
     ExitCode failed() {

@@ -164,6 +164,22 @@ TEST_F(CliSimulate, CuttingAProgramWhileItIsReadHasTheSameResult) {
     }
 }
 
+TEST_F(CliSimulate, MessagesOfAProgramThatIsReadPrecedeThoseOfItsSetup) {
+    write("long.nc", longProgram("G91.7\n"));
+    for (const std::string threads : {"1", "2"}) { // the STL file would be too coarse
+        const auto done =
+            run("simulate long.nc --json --stl far.stl --stock 40x30x10 --stock-origin 1000000,0,0 "
+                "--grid 0.5 --threads " +
+                threads + kTool);
+        EXPECT_EQ(done.exitCode, 3);
+        EXPECT_TRUE(done.reports("long.nc:130005:", "code-unknown")) << done.err;
+        EXPECT_TRUE(done.reports("far.stl:", "export-rounding-too-large")) << done.err;
+        EXPECT_LT(done.err.find("code-unknown"), done.err.find("export-rounding-too-large")) << done.err;
+        EXPECT_EQ(done.json()["findings"].size(), 1U) << done.out;
+        EXPECT_EQ(done.json()["unverified"].size(), 1U) << done.out;
+    }
+}
+
 TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
     const auto done = simulate("--json");
     ASSERT_EQ(done.exitCode, 0) << done.err;
