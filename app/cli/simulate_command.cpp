@@ -17,6 +17,7 @@
 #include "app/cli/machine_report.h"
 #include "app/cli/mesh_outputs.h"
 #include "app/cli/outputs.h"
+#include "app/cli/program_memory.h"
 #include "app/cli/records_csv.h"
 #include "app/cli/report.h"
 #include "app/cli/run_json.h"
@@ -101,7 +102,7 @@ private:
             return true;
         while (!m_reading->isWhole())
             m_program = m_reading->next();
-        return fine(reportProgram(*m_program, m_job, m_report));
+        return noteWhole(true);
     }
 
     ExitCode failed() {
@@ -169,7 +170,7 @@ private:
 
     bool checkGrid() {
         return fine(m_options.setup.checkGrid(m_job, mapOutputs())) &&
-               fine(m_options.box.check(m_job.setup, heldBytes()));
+               fine(m_options.box.check(m_job.setup, heldBytes() + m_programMemory.held));
     }
 
     /// The memory of the z-map and its meshes that is still in use when the region is cut.
@@ -181,8 +182,9 @@ private:
     }
 
     [[nodiscard]] double forecastBytes() const {
-        return std::max(mapBytes(m_frame.zmap.grid(), scheduled(), mapOutputs()),
-                        m_options.box.wanted() ? heldBytes() + m_options.box.bytes() : 0);
+        return m_programMemory.with(
+            std::max(mapBytes(m_frame.zmap.grid(), scheduled(), mapOutputs()),
+                     m_options.box.wanted() ? heldBytes() + m_options.box.bytes() : 0));
     }
 
     [[nodiscard]] MapOutputs mapOutputs() const {
@@ -206,18 +208,24 @@ private:
             m_program = m_reading->next();
         while (!m_reading->isWhole() && !cutsWhileReading());
         m_seconds.interpret = lap();
-        return !m_reading->isWhole() || fine(reportProgram(*m_program, m_job, m_report));
+        return !m_reading->isWhole() || noteWhole(false);
+    }
+
+    /// Once the program is whole: its memory, and its messages. False if it is not a program.
+    bool noteWhole(bool isCutWhileRead) {
+        m_programMemory = programMemory(*m_reading, *m_program, isCutWhileRead);
+        return fine(reportProgram(*m_program, m_job, m_report));
     }
 
     /// Whether nothing before the end depends on what follows in the program, and there is memory for the map
-    /// beside the largest program.
+    /// beside the program.
     [[nodiscard]] bool cutsWhileReading() const {
         if (m_job.setup.automaticGrid || followsSchedule() || !m_options.until.empty() ||
             ThreadLimit::threads() == 1)
             return false;
         const auto grid = makeGrid(m_job.setup.stock, m_job.setup.spacing);
-        return grid && expectedMapBytes(*grid, scheduled(), mapOutputs()) +
-                               static_cast<double>(programBytesThatFit()) <=
+        return grid && programMemory(*m_reading, *m_program, true)
+                               .with(expectedMapBytes(*grid, scheduled(), mapOutputs())) <=
                            static_cast<double>(memoryLimitBytes());
     }
 
@@ -229,7 +237,7 @@ private:
             m_program = m_reading->next();
             m_secondsWaited += waiting.seconds();
             (void)m_simulation->noteProgram(m_program);
-            if (m_reading->isWhole() && !fine(reportProgram(*m_program, m_job, m_report)))
+            if (m_reading->isWhole() && !noteWhole(true))
                 return false;
         }
         return true;
@@ -376,7 +384,8 @@ private:
             {"secondsBeside", {{"interpret", m_reading->seconds()}}},
             {"threads", ThreadLimit::threads()},
             {"cpuSeconds", static_cast<double>(std::clock()) / CLOCKS_PER_SEC},
-            {"expectedBytes", std::llround(expectedMapBytes(grid, scheduled(), mapOutputs()))},
+            {"expectedBytes",
+             std::llround(m_programMemory.with(expectedMapBytes(grid, scheduled(), mapOutputs())))},
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
         out["records"] = totalsAsJson(m_totals, *m_program, m_frame.setup);
@@ -419,6 +428,7 @@ private:
     Report m_report;
     Job m_job;
     std::unique_ptr<ProgramReading> m_reading;
+    ProgramMemory m_programMemory;            ///< once all of it has been read
     std::shared_ptr<const Program> m_program; ///< its beginning, until all of it has been read
     std::unique_ptr<Simulation> m_simulation;
     Frame m_frame;

@@ -9,6 +9,7 @@
 #include "core/decimation/regions/region_decimator.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/formats/npy.h"
+#include "core/nc/program/program.h"
 #include "tests/app/command_line.h"
 #include "tests/app/memory_cases.h"
 
@@ -59,6 +60,24 @@ TEST_F(CliMemory, OfALongRunIsThatOfItsMap) {
     write("long.nc", program);
     const auto done = run("simulate long.nc --stock 400x400x60 --grid 0.2 --method none --json" + kTool);
     expectWithin(done, predicted(2001, 2001, DecimationMethod::none, {.schedule = false}));
+}
+
+TEST_F(CliMemory, OfALongProgramIsForecast) {
+    constexpr int kBlocks = 2'000'000;
+    std::string program = "T1 M6\nG0 X0 Y0 Z5\nF1000\n";
+    for (int block = 0; block < kBlocks; ++block)
+        program += fmt::format("G1 X{} Y{:.4f} Z-1\n", block % 2, block * 1e-5);
+    write("long.nc", program);
+    for (const char* threads : {"1", "2"}) { // with two it is cut while it is read
+        const auto done = run(
+            fmt::format("simulate long.nc --stock 40x30x10 --grid 0.5 --json --threads {}", threads) + kTool);
+        ASSERT_LT(done.exitCode, 3) << done.err;
+        const double forecast = done.json()["forecastBytes"];
+        expectWithin(done, forecast);
+        EXPECT_GT(done.json()["expectedBytes"], static_cast<double>(kBlocks * Program::kBytesPerMotion));
+        EXPECT_LT(forecast, 3 * done.json()["peakBytes"].get<double>())
+            << "a forecast that refuses nothing else";
+    }
 }
 
 TEST_F(CliMemory, OfAWrittenZMapIsThatOfTheMap) {

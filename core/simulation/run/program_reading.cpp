@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run/program_reading.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/stop_watch.h"
@@ -10,6 +11,7 @@ namespace proveout {
 
 ProgramReading::ProgramReading(Setup setup, NcText text, InterpretOptions options)
     : m_setup(std::move(setup)), m_text(std::move(text)), m_options(std::move(options)),
+      m_textBytes(m_text.size()), m_lines(m_text.lineCount()),
       m_thread([this](const std::stop_token& stop) { read(stop); }) {}
 
 ProgramReading::~ProgramReading() = default;
@@ -21,6 +23,13 @@ std::shared_ptr<const Program> ProgramReading::next() {
     if (m_error)
         std::rethrow_exception(m_error);
     return std::exchange(m_newest, nullptr);
+}
+
+double ProgramReading::partOf(const Program& program) const {
+    if (m_whole || m_lines == 0)
+        return 1;
+    const auto read = static_cast<double>(std::max<std::size_t>(program.sourceBlockCount(), 1));
+    return std::min(read / static_cast<double>(m_lines), 1.0);
 }
 
 void ProgramReading::read(const std::stop_token& stop) {

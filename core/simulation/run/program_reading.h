@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -32,6 +33,11 @@ public:
     /// Wall time of the thread; valid for the whole program.
     [[nodiscard]] double seconds() const { return m_seconds; }
 
+    /// Bytes of the text, which is kept until the program is whole.
+    [[nodiscard]] std::size_t textBytes() const { return m_textBytes; }
+    /// The part of the text that was read for `program`, which next() returned, in (0, 1].
+    [[nodiscard]] double partOf(const Program& program) const;
+
 private:
     void read(const std::stop_token& stop);
     [[nodiscard]] std::shared_ptr<const Program> interpretAll(const std::stop_token& stop);
@@ -40,6 +46,8 @@ private:
     Setup m_setup;
     NcText m_text;
     InterpretOptions m_options;
+    std::size_t m_textBytes;
+    std::size_t m_lines;
     bool m_whole = false;
 
     std::mutex m_mutex;

@@ -22,15 +22,21 @@ TEST(ProgramReading, ReturnsGrowingBeginningsOfTheProgram) {
     const auto setup = smallSetup();
     const NcText text = textOf(600'000);
     ProgramReading reading(*setup, text, interpretOptions(*setup, {}));
+    EXPECT_EQ(reading.textBytes(), text.size());
     std::vector<std::shared_ptr<const Program>> programs;
-    while (!reading.isWhole())
+    std::vector<double> parts;
+    while (!reading.isWhole()) {
         programs.push_back(reading.next());
+        parts.push_back(reading.partOf(*programs.back()));
+    }
     ASSERT_GE(programs.size(), 1U);
     const auto whole = interpretOn(*setup, text, interpretOptions(*setup, {}));
     EXPECT_EQ(programs.back()->blockCount(), whole->blockCount());
     EXPECT_EQ(programs.back()->diagnostics().size(), whole->diagnostics().size());
     EXPECT_GT(reading.seconds(), 0);
     for (std::size_t k = 0; k < programs.size(); ++k) {
+        const auto blocks = static_cast<double>(programs[k]->blockCount());
+        EXPECT_NEAR(parts[k], blocks / static_cast<double>(whole->blockCount()), 1e-3);
         EXPECT_EQ(programs[k]->firstDifference(*whole), programs[k]->blockCount());
         if (k > 0) {
             EXPECT_GT(programs[k]->blockCount(), programs[k - 1]->blockCount());
