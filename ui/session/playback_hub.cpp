@@ -257,4 +257,10 @@ void PlaybackHub::reportDrawn(std::uint64_t sequence, double uploadSeconds, doub
         requestTick(); // no other frame will follow to show the new row
 }
 
+void PlaybackHub::reportUploading(std::uint64_t sequence) {
+    const FramePtr& frame = m_simulation.frame();
+    if (m_paperWatchdog.isActive() && frame && frame->sequence == sequence)
+        m_paperWatchdog.start();
+}
+
 } // namespace proveout

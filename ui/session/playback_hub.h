@@ -60,6 +60,8 @@ public:
     /// mode, allows the next block to be cut. A frame that is drawn again counts once.
     void reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds,
                      bool allTriangles = true);
+    /// A part of a frame was uploaded that is drawn later: paper mode waits for it.
+    void reportUploading(std::uint64_t sequence);
     /// Requests a tick outside playback, e.g. after a panel changed a colour.
     void requestTick() { m_tick.request(); }
 

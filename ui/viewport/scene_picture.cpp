@@ -140,6 +140,8 @@ void ScenePicture::upload() {
     m_uploadSeconds += seconds(timer);
     if (showsHiddenPath())
         m_renderer->advancePath(UploadBudget(kUploadAtOnce));
+    if (m_frame != nullptr && (m_renderer->framePending() || m_renderer->frame() != m_frame))
+        emit partUploaded(m_frame->sequence);
 }
 
 /// Of a large frame, whose successor may take several slices to upload.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -75,6 +76,10 @@ public:
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
     /// Whether no better image of the current content is pending.
     [[nodiscard]] bool atRest() const { return !m_rest.isActive() && !m_uploading.isActive(); }
+
+signals:
+    /// A part of the frame was uploaded; it cannot be drawn yet.
+    void partUploaded(std::uint64_t sequence);
 
 private:
     void upload();

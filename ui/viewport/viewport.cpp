@@ -51,6 +51,7 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     setAccessibleName(tr("3D view"));
     connect(m_detail, &DetailChoice::closeWanted, this, &Viewport::closeLook);
     connect(&m_look, &CloserLook::changed, this, &Viewport::followLook);
+    connect(m_picture.get(), &ScenePicture::partUploaded, &session.playback(), &PlaybackHub::reportUploading);
     connect(&session.playback(), &PlaybackHub::tick, this, &Viewport::onTick);
     new ToolNotice(session, this);
     new ForeignNotice(session, this);
@@ -201,10 +202,8 @@ void Viewport::paintOver(const View& view) {
 // --- the detail region
 
 void Viewport::toggleCloserLook() {
-    if (looksCloser()) {
-        closeLook();
-        return;
-    }
+    if (looksCloser())
+        return closeLook();
     if (!hasStock())
         return followOptions();
     choose(Choosing::box);

@@ -218,6 +218,25 @@ private slots:
         }
     }
 
+    void paperModeWaitsForALongUploadButNotForAHiddenWindow() {
+        constexpr int kHidden = 2000; // ms after which nothing seems to be drawn
+        Session session;
+        QVERIFY(opened(session, kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.playback().setSpeed(std::numeric_limits<double>::infinity(), true);
+        session.playback().seek(0);
+        session.playback().play();
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{1}, kPatience);
+        const std::uint64_t sequence = session.simulation().frame()->sequence;
+        QTimer uploading;
+        connect(&uploading, &QTimer::timeout, this, [&] { session.playback().reportUploading(sequence); });
+        uploading.start(100);
+        QTest::qWait(2 * kHidden);
+        QCOMPARE(session.simulation().block(), std::size_t{1});
+        uploading.stop();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() > 1, kPatience);
+    }
+
     void holdsBackOnATinyMapWhilePlayingOnly() {
         QTemporaryDir folder;
         Session session;

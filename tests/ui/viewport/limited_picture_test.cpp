@@ -9,6 +9,7 @@
 #include <random>
 #include <utility>
 
+#include <QOpenGLWidget>
 #include <QTest>
 
 #include "tests/random_seed.h"
@@ -16,6 +17,8 @@
 #include "tests/ui/viewport/offscreen_picture.h"
 #include "ui/gl/surface_buffer.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/closer_look.h"
+#include "ui/viewport/scene_picture.h"
 
 using namespace proveout;
 
@@ -80,6 +83,35 @@ Difference differenceOf(const QImage& a, const QImage& b) {
     return difference;
 }
 
+/// Draws one frame by a ScenePicture.
+class PictureWidget final : public QOpenGLWidget {
+public:
+    explicit PictureWidget(FramePtr frame) : m_frame(std::move(frame)) {
+        QSurfaceFormat format;
+        format.setVersion(3, 3);
+        format.setProfile(QSurfaceFormat::CoreProfile);
+        format.setDepthBufferSize(24);
+        setFormat(format);
+        resize(480, 300);
+    }
+
+    [[nodiscard]] ScenePicture& picture() { return m_picture; }
+    [[nodiscard]] bool isDrawn() const { return m_isDrawn; }
+
+protected:
+    void initializeGL() override { m_picture.initialize(); }
+    void paintGL() override {
+        m_isDrawn = m_picture.paint(cameraAt(StandardView::iso, true).view(stockBox()), m_frame).has_value();
+    }
+
+private:
+    FramePtr m_frame;
+    CloserLook m_look;
+    SceneOptions m_options;
+    ScenePicture m_picture{*this, m_look, m_options, true};
+    bool m_isDrawn = false;
+};
+
 } // namespace
 
 class LimitedPictureTest : public QObject {
@@ -103,6 +135,7 @@ private slots:
     void tooManyTrianglesAreDrawnFromCoarserPoints_data();
     void tooManyTrianglesAreDrawnFromCoarserPoints();
     void aFrameArrivesInSlicesAndIsNotReplacedMeanwhile();
+    void theSlicesOfALargeFrameAreReported();
 
 private:
     [[nodiscard]] QImage limited(const FramePtr& frame, const View& view) {
@@ -418,6 +451,21 @@ void LimitedPictureTest::aFrameArrivesInSlicesAndIsNotReplacedMeanwhile() {
         renderer.upload(other.frame());
         QVERIFY(!renderer.framePending());
         QCOMPARE(renderer.frame()->zmap.grid(), other.grid());
+    }
+}
+
+void LimitedPictureTest::theSlicesOfALargeFrameAreReported() {
+    const FramePtr large = FrameBuilder(kStock, 0.016).frame(); // 27 million points
+    for (const auto& [frame, isLarge] : {std::pair(large, true), std::pair(cutPart().frame(), false)}) {
+        PictureWidget widget(frame);
+        int parts = 0;
+        connect(&widget.picture(), &ScenePicture::partUploaded, this, [&] {
+            QVERIFY(!widget.isDrawn());
+            ++parts;
+        });
+        widget.show();
+        QTRY_VERIFY_WITH_TIMEOUT(widget.isDrawn(), 30'000);
+        QCOMPARE(parts > 0, isLarge);
     }
 }
 
