@@ -266,7 +266,7 @@ void EditorPanel::showValues(const Program& program) {
 }
 
 void EditorPanel::showFrame(const FramePtr& frame) {
-    if (!frame || frame->block == 0 || frame->program != m_session.program().current()) {
+    if (!frame || frame->program != m_session.program().current()) {
         m_editor->showCurrentLine(0, false);
         return;
     }
@@ -274,7 +274,8 @@ void EditorPanel::showFrame(const FramePtr& frame) {
     const bool resting = !m_session.playback().state().playing;
     const bool follow = m_follow->isChecked() ? !resting || !m_editor->hasFocus()
                                               : resting && m_followingPaused && !m_editor->hasFocus();
-    m_editor->showCurrentLine(static_cast<int>(frame->program->blockLine(frame->block - 1)), follow);
+    const int line = frame->block > 0 ? static_cast<int>(frame->program->blockLine(frame->block - 1)) : 0;
+    m_editor->showCurrentLine(line, follow);
 }
 
 void EditorPanel::showProblems() {

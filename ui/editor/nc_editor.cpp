@@ -243,12 +243,12 @@ void NcEditor::showCurrentLine(int line, bool follow) {
         else if (marked >= 0)
             markerDeleteAll(mark);
     }
-    if (line <= 0)
-        return;
-    markerAdd(line - 1, kCurrentArrow);
-    markerAdd(line - 1, kCurrentBackground);
+    if (line > 0) {
+        markerAdd(line - 1, kCurrentArrow);
+        markerAdd(line - 1, kCurrentBackground);
+    }
     if (follow)
-        revealLine(line);
+        revealLine(std::max(line, 1));
 }
 
 void NcEditor::revealCurrentLine() {

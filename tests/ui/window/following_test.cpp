@@ -163,6 +163,28 @@ private slots:
         QVERIFY(playing.again.isVisible());
     }
 
+    void theTextIsAtItsStartWhenTheProgramIs_data() {
+        QTest::addColumn<bool>("cancels");
+        QTest::newRow("after a pause") << false;
+        QTest::newRow("after a cancelled run") << true;
+    }
+    void theTextIsAtItsStartWhenTheProgramIs() {
+        QFETCH(bool, cancels);
+        Playing playing;
+        Session& session = playing.station.session;
+        QVERIFY(playing.playsOutOfSight());
+        playing.station.scale().setFocus();
+        session.playback().pause();
+        if (cancels) {
+            session.playback().measure();
+            session.work().cancel();
+        }
+        playing.station.window.action(QStringLiteral("to-start"))->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{0}, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(playing.current(), -1, kPatience);
+        QCOMPARE(playing.firstLine(), 0L);
+    }
+
 private:
     std::unique_ptr<OwnSettings> m_settings;
 };
