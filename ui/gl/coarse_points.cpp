@@ -30,6 +30,23 @@ std::size_t CoarsePoints::bytes() const {
     return sizeof(float) * static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y);
 }
 
+std::size_t coarseTriangles(const RegionGrid& regions, int step) {
+    const auto cellsAlong = [&](int points) {
+        const int whole = (points - 1) / regions.cells();
+        const int rest = (points - 1) % regions.cells();
+        const auto cells = [&](int width) { return static_cast<std::size_t>((width + step - 1) / step); };
+        return static_cast<std::size_t>(whole) * cells(regions.cells()) + cells(rest);
+    };
+    return 2 * cellsAlong(regions.nx()) * cellsAlong(regions.ny());
+}
+
+int stepWithin(const RegionGrid& regions, std::size_t most) {
+    int step = 1;
+    while (step < regions.cells() && coarseTriangles(regions, step) > most)
+        step *= 2;
+    return step;
+}
+
 SampledPoints sampledPoints(int from, int to, int count, int step) {
     SampledPoints sampled{(from + step - 1) / step, {}};
     for (int point = sampled.first * step; point < std::min(to, count - 1); point += step)

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include "core/decimation/regions/region_grid.h"
 #include "core/zmap/stock.h"
 
 namespace proveout {
@@ -23,6 +24,13 @@ struct CoarsePoints {
 
     [[nodiscard]] std::size_t bytes() const; ///< with one float per point
 };
+
+/// How many triangles regions without meshes have if each is drawn from every step-th of its points along
+/// each axis, and its last ones.
+[[nodiscard]] std::size_t coarseTriangles(const RegionGrid& regions, int step);
+/// The smallest step, a power of two, with which they have at most `most` triangles; if there is none, that
+/// with which each region has two.
+[[nodiscard]] int stepWithin(const RegionGrid& regions, std::size_t most);
 
 /// The points of a coarser grid that are in a part of an axis.
 struct SampledPoints {

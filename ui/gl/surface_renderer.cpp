@@ -7,6 +7,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ui/gl/coarse_points.h"
+
 namespace proveout {
 namespace {
 
@@ -70,10 +72,10 @@ void SurfaceRenderer::holdParts(Gl& gl, const Grid& grid) {
 
 UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame, const UploadBudget& budget) {
     choose(gl, frame.zmap.grid());
+    m_step = stepFor(frame);
     m_grid = frame.zmap.grid();
     m_floor = frame.zmap.floor();
     m_regionCells = frame.surface.grid.cells();
-    m_tooMany = stepFor(frame.surface) > 1;
     if (m_partPrograms)
         return uploadParts(gl, frame, budget);
     UploadCounts counts = uploadWhole(gl, frame, budget);
@@ -108,9 +110,8 @@ UploadCounts SurfaceRenderer::uploadWhole(Gl& gl, const Frame& frame, const Uplo
     counts.fits = heights.fits;
     if (!counts.whole || !counts.fits)
         return counts;
-    m_sampled = m_tooMany;
-    counts.fits = uploadSurface(gl, m_sampled ? bare(frame.surface) : frame.surface, budget, counts,
-                                stepFor(frame.surface));
+    m_sampled = m_step > 1;
+    counts.fits = uploadSurface(gl, m_sampled ? bare(frame.surface) : frame.surface, budget, counts, m_step);
     return counts;
 }
 
@@ -127,24 +128,22 @@ UploadCounts SurfaceRenderer::uploadParts(Gl& gl, const Frame& frame, const Uplo
         return counts;
     m_sampled = m_sampling || !uploadMeshes(gl, frame, budget, counts);
     if (m_sampled)
-        counts.fits = uploadSurface(gl, bare(frame.surface), budget, counts,
-                                    std::max(m_shares.coarseStep, stepFor(frame.surface)));
+        counts.fits =
+            uploadSurface(gl, bare(frame.surface), budget, counts, std::max(m_shares.coarseStep, m_step));
     m_sampling = m_sampled && counts.fits && !counts.whole;
     return counts;
 }
 
-int SurfaceRenderer::stepFor(const SurfaceSnapshot& surface) const {
-    if (surface.faces <= m_mostTriangles)
+int SurfaceRenderer::stepFor(const Frame& frame) const {
+    const bool hadTooMany = m_step > 1 && frame.playing && frame.zmap.grid() == m_grid;
+    if (frame.surface.faces <= (hadTooMany ? m_mostTriangles / 2 : m_mostTriangles))
         return 1;
-    std::size_t step = 2;
-    while (surface.facesFull / (step * step) > m_mostTriangles)
-        step *= 2;
-    return static_cast<int>(step);
+    return std::max(2, stepWithin(frame.surface.grid, m_mostTriangles));
 }
 
 bool SurfaceRenderer::uploadMeshes(Gl& gl, const Frame& frame, const UploadBudget& budget,
                                    UploadCounts& counts) {
-    if (m_tooMany || SurfaceBuffer::bytesFor(frame.surface) > m_shares.lists) {
+    if (m_step > 1 || SurfaceBuffer::bytesFor(frame.surface) > m_shares.lists) {
         m_parts.dropVertices(gl);
         return false;
     }
@@ -163,7 +162,7 @@ const SurfaceSnapshot& SurfaceRenderer::bare(const SurfaceSnapshot& surface) {
 
 Coarseness SurfaceRenderer::refine(Gl& gl, const Frame& frame, const View& view, const UploadBudget& budget) {
     if (!m_partPrograms)
-        return {.coarser = m_sampled, .tooManyTriangles = m_tooMany};
+        return {.coarser = m_sampled, .tooManyTriangles = m_step > 1};
     const Vec3 origin(m_grid.x0, m_grid.y0, frame.zmap.stock().floorZ());
     const bool fromBelow = view.perspective ? view.eye.z < origin.z : view.eye.z < 0;
     const std::vector<VisiblePage> visible =
@@ -172,7 +171,7 @@ Coarseness SurfaceRenderer::refine(Gl& gl, const Frame& frame, const View& view,
     const std::vector<int> pages = pagesToHold(visible, m_shares.coarseStep, m_parts.capacity());
     const bool held = m_parts.hold(gl, frame.zmap, pages, budget);
     return {.coarser = m_sampled || !held || pages.size() < visible.size(),
-            .tooManyTriangles = m_tooMany,
+            .tooManyTriangles = m_step > 1,
             .pending = !held};
 }
 

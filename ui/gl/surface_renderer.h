@@ -73,8 +73,10 @@ private:
     void holdParts(Gl& gl, const Grid& grid);
     [[nodiscard]] UploadCounts uploadWhole(Gl& gl, const Frame& frame, const UploadBudget& budget);
     [[nodiscard]] UploadCounts uploadParts(Gl& gl, const Frame& frame, const UploadBudget& budget);
-    /// The step between the points at which a surface has few enough triangles; 1: as it is.
-    [[nodiscard]] int stepFor(const SurfaceSnapshot& surface) const;
+    /// The step between the points at which a surface has few enough triangles; 1: as it is. While a program
+    /// is played, its number of triangles rises and falls with every decimation; so that the picture does not
+    /// change with it, a surface that had too many is drawn as it is only once it has far fewer.
+    [[nodiscard]] int stepFor(const Frame& frame) const;
     /// Uploads the meshes and the heights of their vertices. False if they do not fit.
     [[nodiscard]] bool uploadMeshes(Gl& gl, const Frame& frame, const UploadBudget& budget,
                                     UploadCounts& counts);
@@ -97,7 +99,7 @@ private:
     SurfaceSnapshot m_bare;
     bool m_sampled = false;  ///< the surface consists of the coarser points
     bool m_sampling = false; ///< and it is not complete yet
-    bool m_tooMany = false;  ///< because of its triangles
+    int m_step = 1;          ///< more than 1: because of its triangles
     int m_mostTexturePoints;
     HeightTexture m_heights;
     SurfaceBuffer m_surface;

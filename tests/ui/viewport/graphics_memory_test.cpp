@@ -42,6 +42,7 @@ private slots:
     void initTestCase() { qInfo("seed %u", m_seed); }
     void coarserPointsAreEachStepAndTheLast();
     void coarserPointsFitTheirBytes();
+    void coarserTrianglesOfRegionsAreCountedOneByOne();
     void sharesNeverExceedTheWhole();
     void pagesStayUntilTheirSlotIsNeeded();
     void thePageNotNeededForLongestGoes();
@@ -78,6 +79,33 @@ void GraphicsMemoryTest::coarserPointsFitTheirBytes() {
     QCOMPARE(points.step, 4);
     QVERIFY(CoarsePoints::of(panel, 2).bytes() > 60'000'000);
     QCOMPARE(CoarsePoints::within(gridOf(1'000'000, 1000), 60'000'000, 16384).step, 64);
+}
+
+void GraphicsMemoryTest::coarserTrianglesOfRegionsAreCountedOneByOne() {
+    for (const int cells : {1, 3, 7, 10, 16, 40})
+        for (const RegionGrid& regions : {RegionGrid(41, 30, cells), RegionGrid(50, 2, cells)}) {
+            const auto counted = [&](int step) {
+                std::size_t triangles = 0;
+                for (std::size_t region = 0; region < regions.regionCount(); ++region) {
+                    const IndexRect points = regions.points(region);
+                    std::size_t columns = 0;
+                    std::size_t rows = 0;
+                    for (int i = points.i0; i < points.i1 - 1; i += step)
+                        ++columns;
+                    for (int j = points.j0; j < points.j1 - 1; j += step)
+                        ++rows;
+                    triangles += 2 * columns * rows;
+                }
+                return triangles;
+            };
+            for (const int step : {1, 2, 4, 8, 64})
+                QCOMPARE(coarseTriangles(regions, step), counted(step));
+            for (const std::size_t most : {5UL, 100UL, 300UL, 1000UL, 5000UL}) {
+                const int step = stepWithin(regions, most);
+                QVERIFY(counted(step) <= most || counted(step) == 2 * regions.regionCount());
+                QVERIFY(step == 1 || counted(step / 2) > most);
+            }
+        }
 }
 
 void GraphicsMemoryTest::sharesNeverExceedTheWhole() {

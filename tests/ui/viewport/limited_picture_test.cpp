@@ -134,6 +134,8 @@ private slots:
     void aDetailRegionCountsToo();
     void tooManyTrianglesAreDrawnFromCoarserPoints_data();
     void tooManyTrianglesAreDrawnFromCoarserPoints();
+    void trianglesOfAnyRegionSizeKeepTheLimit();
+    void thePictureDoesNotChangeWithEachDecimation();
     void aFrameArrivesInSlicesAndIsNotReplacedMeanwhile();
     void theSlicesOfALargeFrameAreReported();
 
@@ -416,6 +418,55 @@ void LimitedPictureTest::tooManyTrianglesAreDrawnFromCoarserPoints() {
     QVERIFY(!renderer.coarseness().tooManyTriangles);
     if (memory > kLimit)
         QCOMPARE(decimated, unlimited(builder.frame(), view));
+}
+
+void LimitedPictureTest::trianglesOfAnyRegionSizeKeepTheLimit() {
+    constexpr std::size_t kMost = 100'000;
+    const View view = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    for (const int cells : {7, 10, 16, 33}) {
+        DecimationParameters parameters;
+        parameters.regionCells = cells;
+        FrameBuilder builder(kStock, kSpacing, parameters);
+        builder.cutAll(part);
+        OffscreenPicture picture;
+        picture.renderer().setMostTriangles(kMost);
+        static_cast<void>(picture.draw(builder.frame(), view, testOptions()));
+        const std::size_t drawn = picture.renderer().triangles(SurfaceBuffer::Part::fromZMap);
+        const std::size_t regions = builder.frame()->surface.grid.regionCount();
+        QVERIFY2(drawn == 2 * regions || (drawn <= kMost && drawn > kMost / 8),
+                 qPrintable(QStringLiteral("%1 of %2 regions").arg(drawn).arg(regions)));
+    }
+}
+
+void LimitedPictureTest::thePictureDoesNotChangeWithEachDecimation() {
+    const View view = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    FrameBuilder builder = cutPart();
+    const auto few = std::make_shared<Frame>(*builder.frame());
+    builder.cut({450, 0, 560, 701}, [](double x, double y) { return part(x, y) - 0.2; });
+    const auto more = std::make_shared<Frame>(*builder.frame());
+    few->playing = more->playing = true;
+    const auto paused = std::make_shared<Frame>(*few);
+    paused->playing = false;
+    builder.decimate();
+    const FramePtr fewest = builder.frame();
+    QVERIFY(few->surface.faces < more->surface.faces && fewest->surface.faces < few->surface.faces / 2);
+    OffscreenPicture picture;
+    SceneRenderer& renderer = picture.renderer();
+    renderer.setMostTriangles((few->surface.faces + more->surface.faces) / 2);
+    const auto isCoarse = [&](const FramePtr& frame) {
+        static_cast<void>(picture.draw(frame, view, testOptions()));
+        return renderer.coarseness().tooManyTriangles;
+    };
+    QVERIFY(!isCoarse(few));
+    QVERIFY(isCoarse(more));
+    QVERIFY(isCoarse(few));
+    QVERIFY(isCoarse(more));
+    QVERIFY(!isCoarse(paused)); // at rest, the best picture
+    QVERIFY(!isCoarse(few));
+    QVERIFY(isCoarse(more));
+    const auto playing = std::make_shared<Frame>(*fewest);
+    playing->playing = true;
+    QVERIFY(!isCoarse(playing));
 }
 
 void LimitedPictureTest::aFrameArrivesInSlicesAndIsNotReplacedMeanwhile() {
