@@ -252,8 +252,7 @@ void NcEditor::showCurrentLine(int line, bool follow) {
 }
 
 void NcEditor::revealCurrentLine() {
-    if (m_currentLine > 0)
-        revealLine(m_currentLine);
+    revealLine(std::max(m_currentLine, 1));
 }
 
 void NcEditor::revealLine(int line) {

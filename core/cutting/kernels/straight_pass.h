@@ -37,7 +37,7 @@ public:
     /// A whole profile on a level path.
     StraightPass(std::shared_ptr<const LevelProfile> whole, const StraightPath& path);
 
-    /// A hollow on a path that is not level; cannot be used without its leads.
+    /// A hollow; on a path that is neither level nor along the grid it cannot be used without its leads.
     StraightPass(const HollowProfile& hollow, const StraightPath& path);
 
     /// Whether single precision gives the envelope over a grid to a ten-thousandth of a millimetre. Very

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/program/line_order.h"
 
-#include <algorithm>
+#include <iterator>
 
 namespace proveout {
 
-LineOrder::LineOrder(const LineOrder& other, const Extent& extent)
+LineOrder::LineOrder(const LineOrder& other, const Extent& extent, std::size_t blocks)
     : m_runs(other.m_runs), m_depth(extent.depth) {
-    std::erase_if(m_runs, [&](const Run& run) { return run.number >= extent.runs; });
+    std::erase_if(m_runs, [&](const auto& run) { return run.second.number >= extent.runs; });
+    // The other one may have been stopped before it noted that a subprogram had returned.
+    for (auto& [firstLine, run] : m_runs)
+        if (run.end == kUnknown)
+            run.end = static_cast<std::uint32_t>(blocks);
     if (extent.firstLine == 0)
         return;
-    Run& run = m_runs[runAt(extent.firstLine)];
+    Run& run = m_runs.at(extent.firstLine);
     run.lastLine = extent.lastLine;
     run.lastLineBlock = extent.lastLineBlock;
     run.end = kUnknown;
@@ -18,10 +22,14 @@ LineOrder::LineOrder(const LineOrder& other, const Extent& extent)
 }
 
 LineOrder::Extent LineOrder::extent() const {
+    Extent extent{.runs = m_runs.size(), .depth = m_depth};
     if (m_open.empty() || m_open.front().depth > 0)
-        return {.runs = m_runs.size(), .depth = m_depth};
-    const Run& run = m_runs[runAt(m_open.front().firstLine)];
-    return {m_runs.size(), m_depth, run.firstLine, run.lastLine, run.lastLineBlock};
+        return extent;
+    const auto& [firstLine, run] = *m_runs.find(m_open.front().firstLine);
+    extent.firstLine = firstLine;
+    extent.lastLine = run.lastLine;
+    extent.lastLineBlock = run.lastLineBlock;
+    return extent;
 }
 
 void LineOrder::begin(std::uint32_t line, std::size_t depth, std::size_t blocks) {
@@ -30,57 +38,60 @@ void LineOrder::begin(std::uint32_t line, std::size_t depth, std::size_t blocks)
     while (!m_open.empty() && m_open.back().depth > depth)
         endInnermost(blocks);
     if (!m_open.empty() && m_open.back().depth == depth) {
-        const std::size_t index = runAt(m_open.back().firstLine);
-        Run& run = m_runs[index];
-        if (!returned && line == run.lastLine + 1 && !isIn(index + 1, line)) {
+        const auto at = m_runs.find(m_open.back().firstLine);
+        const auto next = std::next(at);
+        Run& run = at->second;
+        if (!returned && line == run.lastLine + 1 && (next == m_runs.end() || next->first > line)) {
             run.lastLine = line;
             run.lastLineBlock = static_cast<std::uint32_t>(blocks);
             return;
         }
         endInnermost(blocks);
     }
-    if (line > 0 && !isIn(runAt(line), line))
+    if (line > 0 && !isExecuted(line))
         add(line, depth, blocks);
 }
 
 LineOrder::Range LineOrder::beginOf(std::uint32_t line) const {
-    const std::size_t index = runAt(line);
-    if (index == m_runs.size())
+    const auto at = runAt(line);
+    if (at == m_runs.end())
         return {kUnknown, kUnknown};
-    const Run& run = m_runs[index];
+    const auto& [firstLine, run] = *at;
     if (line == run.lastLine)
         return {run.lastLineBlock, run.lastLineBlock};
-    return {run.firstBlock, line > run.firstLine ? run.lastLineBlock : run.firstBlock};
+    return {run.firstBlock, line > firstLine ? run.lastLineBlock : run.firstBlock};
 }
 
 LineOrder::Range LineOrder::endOf(std::uint32_t line) const {
-    const std::size_t index = runAt(line);
-    if (!isIn(index, line))
+    if (!isExecuted(line))
         return beginOf(line);
-    const Run& run = m_runs[index];
+    const Run& run = runAt(line)->second;
     if (line == run.lastLine)
         return {run.end, run.end};
     return {run.firstBlock, run.lastLineBlock};
 }
 
-std::size_t LineOrder::runAt(std::uint32_t line) const {
-    const auto at = std::ranges::lower_bound(m_runs, line, {}, &Run::lastLine);
-    return static_cast<std::size_t>(at - m_runs.begin());
+LineOrder::Runs::const_iterator LineOrder::runAt(std::uint32_t line) const {
+    const auto after = m_runs.upper_bound(line);
+    if (after == m_runs.begin())
+        return after;
+    const auto before = std::prev(after);
+    return before->second.lastLine >= line ? before : after;
 }
 
-bool LineOrder::isIn(std::size_t run, std::uint32_t line) const {
-    return run < m_runs.size() && m_runs[run].firstLine <= line && line <= m_runs[run].lastLine;
+bool LineOrder::isExecuted(std::uint32_t line) const {
+    const auto at = runAt(line);
+    return at != m_runs.end() && at->first <= line;
 }
 
 void LineOrder::endInnermost(std::size_t blocks) {
-    m_runs[runAt(m_open.back().firstLine)].end = static_cast<std::uint32_t>(blocks);
+    m_runs.at(m_open.back().firstLine).end = static_cast<std::uint32_t>(blocks);
     m_open.pop_back();
 }
 
 void LineOrder::add(std::uint32_t line, std::size_t depth, std::size_t blocks) {
     const auto count = static_cast<std::uint32_t>(blocks);
-    const auto at = m_runs.begin() + static_cast<std::ptrdiff_t>(runAt(line));
-    m_runs.insert(at, {line, line, count, count, kUnknown, static_cast<std::uint32_t>(m_runs.size())});
+    m_runs.emplace(line, Run{line, count, count, kUnknown, static_cast<std::uint32_t>(m_runs.size())});
     m_open.push_back({line, depth});
 }
 

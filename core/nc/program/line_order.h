@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace proveout {
@@ -23,8 +24,9 @@ public:
     };
 
     LineOrder() = default;
-    /// The beginning of another order, as it was when it had that extent.
-    LineOrder(const LineOrder& other, const Extent& extent);
+    /// The beginning of another order, as it was when it had that extent, after so many blocks.
+    LineOrder(const LineOrder& other, const Extent& extent, std::size_t blocks);
+    /// No subprogram may be open.
     [[nodiscard]] Extent extent() const;
 
     /// Before each line runs, in the order of execution: its number (0: a line of another file), the number
@@ -42,14 +44,13 @@ public:
     [[nodiscard]] Range beginOf(std::uint32_t line) const;
     [[nodiscard]] Range endOf(std::uint32_t line) const;
 
-    [[nodiscard]] std::size_t bytes() const { return m_runs.size() * sizeof(Run); }
+    [[nodiscard]] std::size_t bytes() const { return m_runs.size() * kBytesPerRun; }
 
 private:
     static constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
 
     /// The first executions of consecutive lines, of which only the last one may have called.
     struct Run {
-        std::uint32_t firstLine = 0;
         std::uint32_t lastLine = 0;
         std::uint32_t firstBlock = 0;    ///< number of blocks before the first line
         std::uint32_t lastLineBlock = 0; ///< before the last line
@@ -62,13 +63,17 @@ private:
         std::size_t depth = 0;
     };
 
-    /// The index of the first run that ends at a line or after it.
-    [[nodiscard]] std::size_t runAt(std::uint32_t line) const;
-    [[nodiscard]] bool isIn(std::size_t run, std::uint32_t line) const;
+    /// By first line: lines may be executed in any order.
+    using Runs = std::map<std::uint32_t, Run>;
+    static constexpr std::size_t kBytesPerRun = 32 + sizeof(Runs::value_type); ///< with its links
+
+    /// The first run that ends at a line or after it.
+    [[nodiscard]] Runs::const_iterator runAt(std::uint32_t line) const;
+    [[nodiscard]] bool isExecuted(std::uint32_t line) const;
     void endInnermost(std::size_t blocks);
     void add(std::uint32_t line, std::size_t depth, std::size_t blocks);
 
-    std::vector<Run> m_runs; ///< by line
+    Runs m_runs;
     std::vector<Open> m_open;
     std::size_t m_depth = 0; ///< of the line that began last
 };

@@ -30,7 +30,7 @@ Program::Extent Program::extent() const {
 Program::Program(const Program& other, const Extent& extent)
     : m_settled(extent.motions), m_bounds(extent.bounds), m_cuttingBounds(extent.cuttingBounds),
       m_pendingLine(extent.pendingLine), m_blockPending(extent.blockPending),
-      m_lines(other.m_lines, extent.lines), m_dialect(other.m_dialect) {
+      m_lines(other.m_lines, extent.lines, extent.blocks), m_dialect(other.m_dialect) {
     // Reserves memory for about as much again as the other one has after it.
     m_motions.reserve(other.m_motions.size());
     m_blocks.reserve(other.m_blocks.size());
