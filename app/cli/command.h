@@ -17,6 +17,7 @@ enum class ExitCode : int {
 /// Each function adds one or two commands: its options to `app`, and a callback that runs it and stores its
 /// exit code in `exitCode`, which must outlive `app`.
 void addInterpretCommand(CLI::App& app, ExitCode& exitCode);
+void addCheckCommand(CLI::App& app, ExitCode& exitCode);
 void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
 void addDecimateCommand(CLI::App& app, ExitCode& exitCode);
 void addToolsCommand(CLI::App& app, ExitCode& exitCode);

@@ -101,6 +101,11 @@ void SetupOptions::addTo(CLI::App& command) {
     command.add_option("PROG", m_program, "NC program")->type_name("");
     command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
         ->type_name("FILE");
+    addSharedTo(command);
+    m_decimation.addTo(command);
+}
+
+void SetupOptions::addSharedTo(CLI::App& command) {
     command.add_flag("--allow-outside", m_allowOutside, "Allow the job to read files outside its folder");
     m_stock.addTo(command);
     const Setup nothing;
@@ -111,7 +116,6 @@ void SetupOptions::addTo(CLI::App& command) {
         .add_option("--machine", m_machine,
                     "Machine values, e.g. rapidXY=20000,largestFeed=10000: " + keysWithUnits<Machine>())
         ->type_name("key=value,…");
-    m_decimation.addTo(command);
 }
 
 Result<Job> SetupOptions::readJobFile() const {
@@ -124,6 +128,20 @@ Result<Job> SetupOptions::readJobFile() const {
 }
 
 Result<Job> SetupOptions::job() const {
+    if (m_program.empty() && m_jobFile.empty())
+        return failure(command_line_finding::kNoProgram, {}, "proveout-cli");
+    if (!stockGiven())
+        return failure(command_line_finding::kNoStock, {}, "proveout-cli");
+    return givenJob();
+}
+
+Result<Job> SetupOptions::jobOf(const std::string& file, bool isJobFile) const {
+    SetupOptions one = *this;
+    (isJobFile ? one.m_jobFile : one.m_program) = file;
+    return one.givenJob();
+}
+
+Result<Job> SetupOptions::givenJob() const {
     Job job;
     if (!m_jobFile.empty()) {
         auto read = readJobFile();
@@ -135,8 +153,6 @@ Result<Job> SetupOptions::job() const {
         job.program = m_program;
     if (job.program.empty())
         return failure(command_line_finding::kNoProgram, {}, "proveout-cli");
-    if (m_jobFile.empty() && m_stock.spec.empty())
-        return failure(command_line_finding::kNoStock, {}, "proveout-cli");
     if (auto stock = m_stock.apply(job.setup); !stock)
         return tl::unexpected(std::move(stock.error()));
     job.setup.automaticGrid = job.setup.automaticGrid || m_jobFile.empty();

@@ -46,7 +46,13 @@ public:
     /// Adds PROG and the setup options. This object must outlive the parsing.
     void addTo(CLI::App& command);
 
+    /// The same without PROG and the job file, for a command that has many of them.
+    void addSharedTo(CLI::App& command);
+
     [[nodiscard]] Result<Job> job() const;
+    /// The job of one of them, which is a program or a job file; without a stock the default one.
+    [[nodiscard]] Result<Job> jobOf(const std::string& file, bool isJobFile) const;
+    [[nodiscard]] bool stockGiven() const { return !m_jobFile.empty() || !m_stock.spec.empty(); }
     /// Determines the spacing of an automatic grid, and the region size if it was not set.
     static void settleGrid(Job& job, const Program& program, const MapOutputs& outputs);
     /// Refuses a stock or a grid that is invalid or needs more memory than is available.
@@ -60,6 +66,8 @@ public:
 
 private:
     [[nodiscard]] Result<Job> readJobFile() const;
+    /// The job by file and options.
+    [[nodiscard]] Result<Job> givenJob() const;
     [[nodiscard]] tl::unexpected<Diagnostics> aboutGrid(Diagnostics diagnostics) const;
 
     std::string m_program;

@@ -26,7 +26,11 @@ std::size_t ThreadLimit::threads() {
 
 void ThreadLimit::apply() {
     if (m_threads > 0)
-        m_control = std::make_unique<Control>(m_threads);
+        apply(m_threads);
+}
+
+void ThreadLimit::apply(int threads) {
+    m_control = std::make_unique<Control>(threads);
 }
 
 } // namespace proveout::cli

@@ -20,6 +20,8 @@ public:
     void addTo(CLI::App& command);
     /// Limits the threads from this call until this object is destroyed.
     void apply();
+    /// The same with another number.
+    void apply(int threads);
     /// The number of threads that work in parallel now.
     [[nodiscard]] static std::size_t threads();
 

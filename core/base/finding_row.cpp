@@ -24,6 +24,8 @@ const char* name(FindingSource source) {
         return "setup";
     case FindingSource::simulation:
         return "simulation";
+    case FindingSource::rules:
+        return "rules";
     case FindingSource::decimation:
         return "decimation";
     case FindingSource::study:

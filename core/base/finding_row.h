@@ -44,6 +44,7 @@ enum class FindingSource : std::uint8_t {
     stock,       ///< the stock and its grid
     setup,       ///< the setup and the machine
     simulation,  ///< cutting
+    rules,       ///< what is judged once a program has been run
     decimation,  ///< the mesh of the stock
     study,       ///< parameter studies
     jobFile,     ///< jobs

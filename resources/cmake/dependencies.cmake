@@ -30,6 +30,7 @@ proveout_find(zstd LEAST 1.5 TARGET zstd::libzstd_shared PACKAGE libzstd-dev
   ALSO zstd::libzstd zstd::libzstd_static CONFIGS zstd MODULES libzstd HEADER zstd.h LIBRARIES zstd
   VERSION_MACRO ZSTD_VERSION)
 find_package(LibArchive 3.6 REQUIRED) # its module comes with CMake, and searches plainly
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 
 if(PROVEOUT_UI)
   find_package(Qt6 ${PROVEOUT_LEAST_QT} REQUIRED

@@ -163,4 +163,37 @@ Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& to
     return out.take(cutting_finding::kMoreFindings);
 }
 
+std::vector<FindingGroup> FindingLog::groups(const Program& program, const ToolChoice& tools) const {
+    struct Kept {
+        FindingGroup group;
+        const Finding* worst;
+    };
+    std::vector<Kept> kept;
+    for (const Finding& finding : m_findings) {
+        const std::size_t last = program.blockMotions(finding.block).last - 1;
+        const int tool = tools.tool(program.motion(last).tool);
+        const auto same = [&](const Kept& one) {
+            return one.group.tool == tool && one.worst->kind == finding.kind &&
+                   one.worst->unconfirmed == finding.unconfirmed;
+        };
+        auto found = std::ranges::find_if(kept, same);
+        if (found == kept.end())
+            found = kept.insert(found, {{{}, finding.block, 0, 0, 0, tool, 0}, &finding});
+        found->group.lastBlock = finding.block;
+        ++found->group.count;
+        if (finding.value > found->worst->value)
+            found->worst = &finding;
+    }
+    std::vector<FindingGroup> groups;
+    for (Kept& one : kept) {
+        one.group.worst = diagnosticOf(rowOf(one.worst->kind, one.worst->unconfirmed),
+                                       argumentsOf(*one.worst, program, tools));
+        one.group.worst.where = {static_cast<int>(program.blockLine(one.group.firstBlock)), 1, 0};
+        one.group.worstBlock = one.worst->block;
+        one.group.value = one.worst->value;
+        groups.push_back(std::move(one.group));
+    }
+    return groups;
+}
+
 } // namespace proveout

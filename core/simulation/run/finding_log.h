@@ -25,6 +25,17 @@ enum class FindingKind : std::uint8_t {
                   ///< highest
 };
 
+/// All findings of one kind with one tool.
+struct FindingGroup {
+    Diagnostic worst{}; ///< at the line of the first block
+    std::size_t firstBlock = 0;
+    std::size_t lastBlock = 0;
+    std::size_t worstBlock = 0;
+    std::size_t count = 0; ///< of blocks
+    int tool = 0;
+    double value = 0; ///< the largest
+};
+
 /// The findings of the simulation, block by block. Line numbers are read from the program when the sentences
 /// are made, because an edit moves lines without changing a block. Owned by one thread.
 class FindingLog {
@@ -44,6 +55,8 @@ public:
     /// as severe as the worst of them. `file` is empty. Takes the same time for any number of findings,
     /// because every frame calls it.
     [[nodiscard]] Diagnostics diagnostics(const Program& program, const ToolChoice& tools) const;
+    /// Those of the blocks, in the order of their first ones.
+    [[nodiscard]] std::vector<FindingGroup> groups(const Program& program, const ToolChoice& tools) const;
 
 private:
     struct Finding {

@@ -186,8 +186,8 @@ const PersistentArray<BlockStatistics>& Simulation::rows() const {
     return m_state->rows;
 }
 
-bool Simulation::foundAt(std::size_t block) const {
-    return m_state->findings.foundAt(block);
+const FindingLog& Simulation::findings() const {
+    return m_state->findings;
 }
 
 Frame Simulation::frame() const {

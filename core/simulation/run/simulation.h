@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/base/work_context.h"
+#include "core/simulation/run/finding_log.h"
 #include "core/simulation/run/frame.h"
 #include "core/simulation/setup/tool_choice.h"
 
@@ -94,8 +95,8 @@ public:
     [[nodiscard]] Effort effort() const;
     /// One row per block that was ever executed.
     [[nodiscard]] const PersistentArray<BlockStatistics>& rows() const;
-    /// Whether there is a finding for block `block` (0-based).
-    [[nodiscard]] bool foundAt(std::size_t block) const;
+    /// Of the blocks that were ever executed.
+    [[nodiscard]] const FindingLog& findings() const;
     /// A frame of this moment; generation and sequence remain 0.
     [[nodiscard]] Frame frame() const;
 

@@ -264,7 +264,7 @@ struct SimulationThread::State {
         playedFrom.reset();
         if (!breakpoints.empty())
             stopWhere(breakpoints.after(simulation->program(), block,
-                                        {simulation->rows(), simulation->foundAt(block)}));
+                                        {simulation->rows(), simulation->findings().foundAt(block)}));
     }
 
     void stopWhere(const Breakpoint* breakpoint) {

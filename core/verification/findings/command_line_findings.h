@@ -111,6 +111,34 @@ inline constexpr FindingRow kPictureFailed{
 inline constexpr FindingRow kScreenshotFailed{
     Severity::error, false, "screenshot-failed", "Screenshot not saved", "No screenshot was saved: {}.", ""};
 
+inline constexpr FindingRow kNothingToCheck{
+    Severity::error, false, "no-program", "No program", "There is no program to check in these folders.", ""};
+inline constexpr FindingRow kResultsUnwritable{Severity::error,
+                                               false,
+                                               "output-unwritable",
+                                               "Output not writable",
+                                               "The results cannot be added to this file: {}.",
+                                               ""};
+inline constexpr FindingRow kRuleForm{Severity::error,
+                                      false,
+                                      "rule-form",
+                                      "Invalid rule",
+                                      "“{}” is not a rule. Enter ID=off or ID:key=value.",
+                                      ""};
+inline constexpr FindingRow kRuleUnknown{Severity::error,          false,
+                                         "rule-unknown",           "No such rule",
+                                         "There is no rule “{}”.", "List them: proveout-cli rules."};
+inline constexpr FindingRow kRuleKeyUnknown{
+    Severity::error, false, "rule-key-unknown", "No such limit", "There is no limit “{}”.", ""};
+inline constexpr FindingRow kRuleValueBad{
+    Severity::error, false, "rule-value-bad", "Invalid limit", "“{}” is not a valid value for {}.", ""};
+inline constexpr FindingRow kAcceptUnknown{Severity::error,
+                                           false,
+                                           "accept-unknown",
+                                           "Nothing to accept",
+                                           "“{}” is not the id of anything that may be left unchecked.",
+                                           ""};
+
 inline constexpr std::array kCommandLineRows{&kUsage,
                                              &kOutputUnwritable,
                                              &kOutputUnwritableReason,
@@ -133,6 +161,13 @@ inline constexpr std::array kCommandLineRows{&kUsage,
                                              &kBordersNotExported,
                                              &kFolderUnwritable,
                                              &kPictureFailed,
-                                             &kScreenshotFailed};
+                                             &kScreenshotFailed,
+                                             &kNothingToCheck,
+                                             &kResultsUnwritable,
+                                             &kRuleForm,
+                                             &kRuleUnknown,
+                                             &kRuleKeyUnknown,
+                                             &kRuleValueBad,
+                                             &kAcceptUnknown};
 
 } // namespace proveout::command_line_finding

@@ -21,6 +21,7 @@
 #include "core/simulation/thread/run_findings.h"
 #include "core/study/study_findings.h"
 #include "core/verification/findings/command_line_findings.h"
+#include "core/verification/findings/rule_findings.h"
 #include "core/verification/findings/window_findings.h"
 #include "core/zmap/stock_body_findings.h"
 #include "core/zmap/zmap_findings.h"
@@ -60,6 +61,7 @@ constexpr std::array kTables{
     FindingTable{FindingSource::setup, setup_finding::kSetupRows, true},
     FindingTable{FindingSource::simulation, cutting_finding::kCuttingRows, false},
     FindingTable{FindingSource::simulation, tool_finding::kToolRows, false},
+    FindingTable{FindingSource::rules, rule_finding::kRuleRows, false},
     FindingTable{FindingSource::simulation, detail_finding::kDetailRows, true},
     FindingTable{FindingSource::simulation, run_finding::kRunRows, true},
     FindingTable{FindingSource::breakpoints, condition_finding::kConditionRows, true},

@@ -45,7 +45,8 @@ std::vector<std::size_t> stops(const Breakpoint& breakpoint, const std::string& 
         if (breakpoints.before(*program, block) != nullptr)
             found.push_back(block);
         simulation->step();
-        if (breakpoints.after(*program, block, {simulation->rows(), simulation->foundAt(block)}) != nullptr)
+        if (breakpoints.after(*program, block, {simulation->rows(), simulation->findings().foundAt(block)}) !=
+            nullptr)
             found.push_back(block + 1);
     }
     return found;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rules about the motions of single blocks.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "core/cutter/shapes.h"
+#include "core/verification/findings/rule_findings.h"
+#include "core/verification/rules/rules.h"
+
+namespace proveout {
+
+namespace {
+
+/// Whether a motion of the block is at feed and has the property.
+template<class Property>
+bool anyAtFeed(const CheckedRun& run, std::size_t block, const Property& property) {
+    const auto motions = run.program.blockMotions(block);
+    for (std::size_t index = motions.first; index < motions.last; ++index) {
+        const Motion motion = run.program.motion(index);
+        if (motion.kind != MotionKind::rapid && !motion.probing && property(motion))
+            return true;
+    }
+    return false;
+}
+
+/// Adds the blocks that cut and move at feed with the property; the value is the depth.
+template<class Property>
+void addCutting(const CheckedRun& run, const FindingRow& row, RuleFindings& out, const Property& property) {
+    for (std::size_t block = 0; block < run.rows.size(); ++block) {
+        const BlockStatistics& of = run.rows[block];
+        if (of.cuts() && anyAtFeed(run, block, property))
+            out.add(row, block, run.toolOf(block), of.maxDepth);
+    }
+}
+
+bool cutsAlongAxisOnly(const Cutter* cutter) {
+    constexpr std::array<std::string_view, 4> kShapes{"drill", "centre", "reamer", "tap"};
+    const CutterShape* shape = cutter == nullptr ? nullptr : shapeOf(cutter->spec());
+    return shape != nullptr && std::ranges::find(kShapes, std::string_view(shape->key)) != kShapes.end();
+}
+
+bool movesInPlan(const Motion& motion) {
+    constexpr double kSideways = 0.01; // mm, as a control rounds the end of a compensated or rotated motion
+    const Box3 box = bounds(motion);
+    return std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) > kSideways;
+}
+
+} // namespace
+
+void judgeStoppedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
+    addCutting(run, rule_finding::kSpindleStopped, out,
+               [](const Motion& motion) { return motion.spindleRpm == 0; });
+}
+
+void judgeReversedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
+    addCutting(run, rule_finding::kSpindleReversed, out,
+               [](const Motion& motion) { return motion.spindleRpm < 0; });
+}
+
+void judgeSidewaysDrill(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
+    addCutting(run, rule_finding::kDrillSideways, out, [&](const Motion& motion) {
+        return movesInPlan(motion) && cutsAlongAxisOnly(run.setup.tools.find(run.tools.tool(motion.tool)));
+    });
+}
+
+void judgeFeedLimit(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
+    if (run.machine == nullptr)
+        return;
+    const double most = run.machine->largestFeed;
+    for (std::size_t block = 0; block < run.program.blockCount(); ++block) {
+        double feed = 0;
+        (void)anyAtFeed(run, block, [&](const Motion& motion) {
+            feed = std::max(feed, motion.feedMmPerMin);
+            return false;
+        });
+        if (feed > most)
+            out.add(rule_finding::kFeedLimit, block, run.toolOf(block), feed, most);
+    }
+}
+
+void judgeAirCutting(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out) {
+    std::size_t first = 0;
+    double seconds = 0;
+    const auto endStretch = [&] {
+        if (seconds > limits.airSeconds)
+            out.add(rule_finding::kAirCutting, first, run.toolOf(first), seconds, limits.airSeconds);
+        seconds = 0;
+    };
+    for (std::size_t block = 0; block < run.rows.size(); ++block) {
+        const bool inAir =
+            !run.rows[block].cuts() && anyAtFeed(run, block, [](const Motion&) { return true; });
+        if (!inAir) {
+            endStretch();
+            continue;
+        }
+        if (seconds == 0)
+            first = block;
+        seconds += run.times.movingSeconds(block);
+    }
+    endStretch();
+}
+
+} // namespace proveout

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/verification/rules/rules.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/figures_argument.h"
+#include "core/verification/findings/rule_findings.h"
+
+namespace proveout {
+
+namespace {
+
+using namespace rule_finding;
+
+constexpr std::array<const FindingRow*, 1> kOfStoppedSpindle{&kSpindleStopped};
+constexpr std::array<const FindingRow*, 1> kOfReversedSpindle{&kSpindleReversed};
+constexpr std::array<const FindingRow*, 1> kOfFeed{&kFeedLimit};
+constexpr std::array<const FindingRow*, 1> kOfDrill{&kDrillSideways};
+constexpr std::array<const FindingRow*, 2> kOfRemoval{&kNothingCut, &kHardlyCuts};
+constexpr std::array<const FindingRow*, 2> kOfUnits{&kUnitsTooLarge, &kUnitsTooSmall};
+constexpr std::array<const FindingRow*, 1> kOfRoom{&kTableCollision};
+constexpr std::array<const FindingRow*, 1> kOfPieces{&kLoosePiece};
+constexpr std::array<const FindingRow*, 1> kOfAir{&kAirCutting};
+
+constexpr std::array kRules{
+    Rule{kOfStoppedSpindle, "mm", judgeStoppedSpindle},
+    Rule{kOfReversedSpindle, "mm", judgeReversedSpindle},
+    Rule{kOfFeed, "mm/min", judgeFeedLimit},
+    Rule{kOfDrill, "mm", judgeSidewaysDrill},
+    Rule{kOfRemoval, "%", judgeRemoval},
+    Rule{kOfUnits, "", judgeUnits},
+    Rule{kOfRoom, "mm", judgeRoomBelow},
+    Rule{kOfPieces, "mm³", judgeLoosePieces},
+    Rule{kOfAir, "s", judgeAirCutting},
+};
+
+} // namespace
+
+void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, double value, double limit) {
+    const auto sameTool = [&](const RuleFinding& one) {
+        return one.row == &row && one.block && one.tool == tool;
+    };
+    const auto found = std::ranges::find_if(m_all, sameTool);
+    if (found == m_all.end()) {
+        m_all.push_back({&row, block, block, block, 1, tool, value, limit, {}});
+        return;
+    }
+    found->count += found->lastBlock == block ? 0 : 1;
+    found->lastBlock = block;
+    if (value > found->value) {
+        found->value = value;
+        found->worstBlock = block;
+    }
+}
+
+void RuleFindings::add(const FindingRow& row, double value, double limit, std::optional<Vec3> place) {
+    m_all.push_back({&row, {}, 0, 0, 1, 0, value, limit, place});
+}
+
+std::span<const Rule> rules() {
+    return kRules;
+}
+
+const char* unitOf(const FindingRow& row) {
+    for (const Rule& rule : kRules)
+        if (std::ranges::find(rule.rows, &row) != rule.rows.end())
+            return rule.unit;
+    return "";
+}
+
+std::vector<RuleFinding> judge(const CheckedRun& run, const RuleLimits& limits,
+                               const std::set<std::string>& off) {
+    RuleFindings findings;
+    for (const Rule& rule : kRules)
+        if (!off.contains(rule.id()))
+            rule.judge(run, limits, findings);
+    return findings.all();
+}
+
+Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program) {
+    Diagnostic diagnostic =
+        diagnosticOf(*finding.row, {figures("{:.6g}", finding.value), figures("{:.6g}", finding.limit)});
+    if (finding.block)
+        diagnostic.where = {static_cast<int>(program.blockLine(*finding.block)), 1, 0};
+    return diagnostic;
+}
+
+} // namespace proveout

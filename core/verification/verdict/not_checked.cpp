@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/verification/verdict/not_checked.h"
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+namespace proveout {
+
+namespace {
+
+bool always(const CheckScope&) {
+    return true;
+}
+
+bool lacksStock(const CheckScope& scope) {
+    return !scope.hasStock;
+}
+
+bool lacksMachine(const CheckScope& scope) {
+    return !scope.hasMachine;
+}
+
+bool probes(const CheckScope& scope) {
+    return scope.program.asksForStock();
+}
+
+bool stopsForTheOperator(const CheckScope& scope) {
+    return std::ranges::any_of(scope.program.events(), [](const Event& event) {
+        return std::holds_alternative<ProgramStop>(event.data);
+    });
+}
+
+/// A z-map shows nothing below a head.
+bool undercuts(const CheckScope& scope) {
+    const std::vector<Program::ToolRun> runs = scope.program.toolRuns();
+    return std::ranges::any_of(runs, [&](const Program::ToolRun& run) {
+        const Cutter* cutter = scope.setup.tools.find(scope.tools.tool(run.tool));
+        return cutter != nullptr && cutter->head().has_value();
+    });
+}
+
+constexpr std::array kRows{
+    NotCheckedRow{"stock-not-given", "Everything that needs a stock", lacksStock},
+    NotCheckedRow{"holder-not-given", "Collisions of the tool holder", always},
+    NotCheckedRow{"fixtures-not-given", "Collisions with fixtures", always},
+    NotCheckedRow{"travel-not-given", "Travel limits of the machine", always},
+    NotCheckedRow{"machine-not-given", "Maximum feed rate of the machine", lacksMachine},
+    NotCheckedRow{"tool-limits-not-given", "Load of the tools", always},
+    NotCheckedRow{"undercuts", "Undercuts", undercuts},
+    NotCheckedRow{"probing", "Moves that depend on probing", probes},
+    NotCheckedRow{"manual-stops", "What the operator does at a program stop", stopsForTheOperator},
+};
+
+} // namespace
+
+std::span<const NotCheckedRow> notCheckedRows() {
+    return kRows;
+}
+
+std::vector<NotChecked> notChecked(const CheckScope& scope, const std::set<std::string>& accepted) {
+    std::vector<NotChecked> entries;
+    for (const NotCheckedRow& row : kRows)
+        if (row.concerns(scope))
+            entries.push_back({&row, accepted.contains(row.id)});
+    return entries;
+}
+
+} // namespace proveout

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of what a check leaves out. A program is safe only if each entry that concerns it was accepted by
+// name.
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/nc/program/program.h"
+#include "core/simulation/setup/setup.h"
+#include "core/simulation/setup/tool_choice.h"
+
+namespace proveout {
+
+/// What decides whether an entry concerns a program.
+struct CheckScope {
+    const Program& program;
+    const Setup& setup;
+    const ToolChoice& tools;
+    bool hasStock;   ///< it was run on a stock
+    bool hasMachine; ///< the values of the machine were given
+};
+
+struct NotCheckedRow {
+    const char* id;    ///< stable, kebab-case
+    const char* title; ///< what is not checked
+    bool (*concerns)(const CheckScope& scope);
+};
+[[nodiscard]] std::span<const NotCheckedRow> notCheckedRows();
+
+struct NotChecked {
+    const NotCheckedRow* row = nullptr;
+    bool accepted = false;
+};
+/// The entries that concern a program; `accepted`: ids.
+[[nodiscard]] std::vector<NotChecked> notChecked(const CheckScope& scope,
+                                                 const std::set<std::string>& accepted);
+
+} // namespace proveout
