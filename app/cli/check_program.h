@@ -27,8 +27,8 @@ struct CheckOptions {
 /// A finding with all that machine-readable reports need.
 struct CheckFinding {
     Diagnostic diagnostic{}; ///< at its first line
-    std::size_t block = 0; ///< 1-based; 0: none
-    std::size_t count = 1; ///< of blocks
+    std::size_t block = 0;   ///< 1-based; 0: none
+    std::size_t count = 1;   ///< of blocks
     int lastLine = 0;
     int tool = 0;
     double value = 0;
