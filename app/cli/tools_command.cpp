@@ -22,7 +22,8 @@ struct ToolsOptions {
 
 void printKey(const ShapeKey& key) {
     if (key.isText()) {
-        fmt::print("  {:<6} {}, e.g. {} (required)\n", key.key, key.label, key.defaultValue);
+        fmt::print("  {:<6} {}, e.g. {} ({})\n", key.key, key.label, key.exampleText(),
+                   key.required ? "required" : "none");
         return;
     }
     const std::string defaultText =
@@ -47,7 +48,7 @@ nlohmann::ordered_json keysOf(std::span<const ShapeKey> keys) {
     for (const ShapeKey& key : keys) {
         nlohmann::ordered_json row{{"key", key.key}, {"label", key.label}};
         if (key.isText())
-            row["standard"] = key.defaultValue;
+            row.update({{"standard", key.defaultText}, {"example", key.exampleText()}});
         else
             row.update({{"unit", key.unit},
                         {"minimum", key.minimum},

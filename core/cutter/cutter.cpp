@@ -19,13 +19,12 @@ double heightOf(const ProfilePiece& piece, double r) {
     return piece.kind == PieceKind::arc ? piece.centreZ - half : piece.centreZ + half;
 }
 
-Cutter::Cutter(std::string spec, CutterProfile profile, double fluteLength, double shankRadius,
-               double shankLength)
+Cutter::Cutter(std::string spec, CutterProfile profile, ToolBody body)
     : m_spec(std::move(spec)), m_profile(std::move(profile)),
       m_solvable(proveout::solvablePieces(m_profile.pieces)),
-      m_radius(m_profile.pieces.empty() ? 0.0 : m_profile.pieces.back().r1),
-      m_fluteLength(std::max(fluteLength, profileHeight())), m_shankRadius(shankRadius),
-      m_shankLength(shankLength) {}
+      m_radius(m_profile.pieces.empty() ? 0.0 : m_profile.pieces.back().r1), m_body(std::move(body)) {
+    m_body.fluteLength = std::max(m_body.fluteLength, profileHeight());
+}
 
 double Cutter::height(double r) const {
     for (const ProfilePiece& piece : pieces()) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/cutter/holder.h"
 
 namespace proveout {
 
@@ -41,6 +42,16 @@ struct CutterProfile {
     std::optional<NeckedHead> head; ///< none: above its rim the cutter is as wide as at the rim
 };
 
+/// The tool above the cutting edges, mm. Value type.
+struct ToolBody {
+    double fluteLength = 0;
+    double shankRadius = 0;
+    double shankLength = 0;            ///< from the end of the flutes upwards
+    bool shankGiven = false;           ///< false: it is only assumed to be as thick as the cutter or its neck
+    double stickOut = 0;               ///< from the tip to the face of the holder; 0: unknown
+    std::vector<HolderSegment> holder; ///< from its face upwards; empty: unknown
+};
+
 /// The height of a piece at r0 <= r <= r1.
 [[nodiscard]] double heightOf(const ProfilePiece& piece, double r);
 
@@ -50,8 +61,7 @@ public:
     Cutter() = default;
     /// `spec` is the text it was made from, e.g. "ball:d=11,l=50". The flutes are at least as long as the
     /// profile is high; for a necked head, their length is that of head and neck.
-    Cutter(std::string spec, CutterProfile profile, double fluteLength, double shankRadius,
-           double shankLength);
+    Cutter(std::string spec, CutterProfile profile, ToolBody body = {});
 
     [[nodiscard]] const std::string& spec() const { return m_spec; }
     [[nodiscard]] const std::vector<ProfilePiece>& pieces() const { return m_profile.pieces; }
@@ -60,9 +70,10 @@ public:
     [[nodiscard]] const std::vector<ProfilePiece>& solvablePieces() const { return m_solvable; }
     [[nodiscard]] const std::optional<NeckedHead>& head() const { return m_profile.head; }
     [[nodiscard]] double radius() const { return m_radius; } ///< the largest radius
-    [[nodiscard]] double fluteLength() const { return m_fluteLength; }
-    [[nodiscard]] double shankRadius() const { return m_shankRadius; }
-    [[nodiscard]] double shankLength() const { return m_shankLength; } ///< from the end of the flutes upwards
+    [[nodiscard]] const ToolBody& body() const { return m_body; }
+    [[nodiscard]] double fluteLength() const { return m_body.fluteLength; }
+    [[nodiscard]] double shankRadius() const { return m_body.shankRadius; }
+    [[nodiscard]] double shankLength() const { return m_body.shankLength; }
     /// h(r) for 0 <= r <= radius(); +infinity outside. The rim belongs to the cutter.
     [[nodiscard]] double height(double r) const;
     /// Height of the profile at its rim, where the cylindrical part begins.
@@ -77,9 +88,7 @@ private:
     CutterProfile m_profile;
     std::vector<ProfilePiece> m_solvable;
     double m_radius = 0;
-    double m_fluteLength = 0;
-    double m_shankRadius = 0;
-    double m_shankLength = 0;
+    ToolBody m_body;
 };
 
 /// Makes a cutter from `SHAPE:key=value,…` according to the rows of shapes.h. Errors name the key and the

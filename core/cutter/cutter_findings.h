@@ -207,6 +207,41 @@ inline constexpr FindingRow kFlutesTooShort{
     PROVEOUT_TEXT("Core", "Flute length too short"),
     PROVEOUT_TEXT("Core", "The flute length l={} is less than the height of the cutter's profile, {} mm."),
     ""};
+inline constexpr FindingRow kHolderUnreadable{
+    Severity::error,
+    false,
+    "holder-unreadable",
+    PROVEOUT_TEXT("Core", "Invalid holder segment"),
+    PROVEOUT_TEXT("Core", "“{}” is not a segment of a holder; a cylinder is written as {}, a cone as {}."),
+    ""};
+inline constexpr FindingRow kHolderSize{
+    Severity::error,
+    false,
+    "holder-size",
+    PROVEOUT_TEXT("Core", "Holder size out of range"),
+    PROVEOUT_TEXT("Core",
+                  "The segment {} of the holder has a diameter or height that is out of range, {} to {} mm."),
+    ""};
+inline constexpr FindingRow kHolderTooLong{Severity::error,
+                                           false,
+                                           "holder-too-long",
+                                           PROVEOUT_TEXT("Core", "Too many holder segments"),
+                                           PROVEOUT_TEXT("Core", "The holder has more than {} segments."),
+                                           ""};
+inline constexpr FindingRow kHolderWithoutStickOut{
+    Severity::error,
+    false,
+    "holder-without-stick-out",
+    PROVEOUT_TEXT("Core", "Holder without stick-out"),
+    PROVEOUT_TEXT("Core", "A holder needs the key so, the stick-out from the tip to the face of the holder."),
+    ""};
+inline constexpr FindingRow kStickOutTooShort{
+    Severity::error,
+    false,
+    "stick-out-too-short",
+    PROVEOUT_TEXT("Core", "Stick-out too short"),
+    PROVEOUT_TEXT("Core", "The stick-out so={} is less than the height of the cutter's profile, {} mm."),
+    ""};
 inline constexpr FindingRow kToolNumberText{
     Severity::error,
     false,
@@ -316,6 +351,11 @@ inline constexpr std::array kCutterRows{&kFormNoWidth,
                                         &kCutterKeyMissingRange,
                                         &kCutterShapeUnknown,
                                         &kFlutesTooShort,
+                                        &kHolderUnreadable,
+                                        &kHolderSize,
+                                        &kHolderTooLong,
+                                        &kHolderWithoutStickOut,
+                                        &kStickOutTooShort,
                                         &kToolNumberText,
                                         &kToolFileEmpty,
                                         &kToolRow,

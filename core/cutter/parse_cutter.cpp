@@ -42,15 +42,25 @@ std::string listOf(const Rows& rows) {
 struct KeyValues {
     std::vector<ShapeKey> keys;
     std::vector<std::optional<double>> given; ///< 0 for a value that is text
-    std::string_view text;                    ///< of the key that is text
+    std::vector<std::string_view> texts;      ///< by key; empty for a value that is a number
+    std::size_t own; ///< the number of keys that only this shape has; they come first
 
-    explicit KeyValues(const CutterShape& shape) : keys(shape.keys.begin(), shape.keys.end()) {
+    explicit KeyValues(const CutterShape& shape)
+        : keys(shape.keys.begin(), shape.keys.end()), own(shape.keys.size()) {
         keys.insert(keys.end(), commonShapeKeys().begin(), commonShapeKeys().end());
         given.resize(keys.size());
+        texts.resize(keys.size());
     }
 
     [[nodiscard]] double value(std::size_t index) const {
         return given[index].value_or(keys[index].defaultValue);
+    }
+    /// The text of the one key of the shape itself that has one.
+    [[nodiscard]] std::string_view ownText() const {
+        for (std::size_t i = 0; i < own; ++i)
+            if (keys[i].isText())
+                return texts[i];
+        return {};
     }
 };
 
@@ -69,7 +79,7 @@ Result<double> parseNumber(const ShapeKey& key, std::string_view text) {
 Result<void> readValue(KeyValues& values, std::size_t index, std::string_view text) {
     if (values.keys[index].isText()) {
         values.given[index] = 0;
-        values.text = text;
+        values.texts[index] = text;
         return {};
     }
     auto value = parseNumber(values.keys[index], text);
@@ -126,6 +136,42 @@ double shankRadiusOf(const CutterProfile& profile) {
     return profile.head ? profile.head->neckRadius : profile.pieces.back().r1;
 }
 
+/// The keys that every shape has, in the order of commonShapeKeys().
+enum CommonKey : std::size_t { kFlutes, kShankDiameter, kShankLength, kStickOut, kHolder };
+
+Result<ToolBody> readBody(const KeyValues& values, const CutterProfile& profile) {
+    const auto number = [&](CommonKey key) { return values.value(values.own + key); };
+    ToolBody body;
+    body.fluteLength = number(kFlutes);
+    body.shankGiven = number(kShankDiameter) > 0;
+    body.shankRadius = body.shankGiven ? number(kShankDiameter) / 2 : shankRadiusOf(profile);
+    body.shankLength = number(kShankLength);
+    body.stickOut = number(kStickOut);
+    if (!values.given[values.own + kHolder])
+        return body;
+    auto holder = parseHolder(values.texts[values.own + kHolder]);
+    if (!holder)
+        return tl::unexpected(std::move(holder.error()));
+    if (body.stickOut == 0)
+        return failure(cutter_finding::kHolderWithoutStickOut);
+    body.holder = std::move(*holder);
+    return body;
+}
+
+/// The flutes, if they were given, and the stick-out reach to the top of the profile at least.
+Result<void> checkLengths(const KeyValues& values, const Cutter& cutter) {
+    const auto refuse = [&](const FindingRow& row, double length) {
+        return failure(row, {fmt::format("{}", length), figures("{:.4g}", cutter.profileHeight())});
+    };
+    const std::optional<double> flutes = values.given[values.own + kFlutes];
+    if (flutes && *flutes < cutter.profileHeight())
+        return refuse(cutter_finding::kFlutesTooShort, *flutes);
+    const double stickOut = cutter.body().stickOut;
+    if (stickOut > 0 && stickOut < cutter.profileHeight())
+        return refuse(cutter_finding::kStickOutTooShort, stickOut);
+    return {};
+}
+
 } // namespace
 
 Result<Cutter> parseCutter(std::string_view spec) {
@@ -138,22 +184,19 @@ Result<Cutter> parseCutter(std::string_view spec) {
     if (!values)
         return tl::unexpected(values.error());
 
-    const std::size_t own = shape->keys.size();
-    std::vector<double> ownValues(own);
-    for (std::size_t i = 0; i < own; ++i)
-        ownValues[i] = values->value(i);
-    auto profile = shape->profile({ownValues, values->text});
+    std::vector<double> own(values->own);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        own[i] = values->value(i);
+    auto profile = shape->profile({own, values->ownText()});
     if (!profile)
         return tl::unexpected(std::move(profile.error()));
-
-    const double shankDiameter = values->value(own + 1);
-    const double shankRadius = shankDiameter > 0 ? shankDiameter / 2 : shankRadiusOf(*profile);
-    Cutter cutter(std::string(trimmed(spec)), std::move(*profile), values->value(own), shankRadius,
-                  values->value(own + 2));
-    if (!values->given[own] || *values->given[own] >= cutter.profileHeight())
-        return cutter;
-    return failure(cutter_finding::kFlutesTooShort,
-                   {fmt::format("{}", *values->given[own]), figures("{:.4g}", cutter.profileHeight())});
+    auto body = readBody(*values, *profile);
+    if (!body)
+        return tl::unexpected(std::move(body.error()));
+    Cutter cutter(std::string(trimmed(spec)), std::move(*profile), std::move(*body));
+    if (auto checked = checkLengths(*values, cutter); !checked)
+        return tl::unexpected(std::move(checked.error()));
+    return cutter;
 }
 
 Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {

@@ -120,6 +120,10 @@ constexpr std::array kCommonKeys = {
     ShapeKey{"sd", PROVEOUT_TEXT("Core", "Shank diameter (0: as the cutter)"), "mm", 0, kLargestSize, 0,
              false},
     ShapeKey{"sl", PROVEOUT_TEXT("Core", "Shank length"), "mm", 0, kLargestSize, 30, false},
+    ShapeKey{"so", PROVEOUT_TEXT("Core", "Stick-out, from tip to holder (0: unknown)"), "mm", 0, kLargestSize,
+             0, false},
+    ShapeKey{"holder", PROVEOUT_TEXT("Core", "Holder, DIAMETERxHEIGHT+… from its face upwards"), "", 0, 0, 0,
+             false, "", "40x30+40-60x15"},
 };
 
 constexpr std::array kShapes = {

@@ -21,8 +21,11 @@ struct ShapeKey {
     bool required;
     /// What a dialog proposes for a value that is text; null: the value is a number.
     const char* defaultText = nullptr;
+    /// How a text that a dialog leaves empty may look; null: as `defaultText`.
+    const char* example = nullptr;
 
     [[nodiscard]] bool isText() const { return defaultText != nullptr; }
+    [[nodiscard]] const char* exampleText() const { return example != nullptr ? example : defaultText; }
 };
 
 /// The values that were given for the keys of a shape.
@@ -46,7 +49,8 @@ struct CutterShape {
 /// The row of the shape that a spec names; null where there is none with that name.
 [[nodiscard]] const CutterShape* shapeOf(std::string_view spec);
 
-/// Keys that every shape has: flute length `l`, shank diameter `sd`, shank length `sl`.
+/// Keys that every shape has: flute length `l`, shank diameter `sd`, shank length `sl`, stick-out `so`, and
+/// `holder`, a text.
 [[nodiscard]] std::span<const ShapeKey> commonShapeKeys();
 /// The user-facing name of a key of ToolOrigin::defaults: its label in the shape of the spec, or the label of
 /// the shape itself; null if there is no such key. Marked with PROVEOUT_TEXT.

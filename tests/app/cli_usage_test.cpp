@@ -143,6 +143,10 @@ TEST_F(CliUsage, ShapesAreListedFromTheirTable) {
     ASSERT_EQ(json["shapes"].size(), cutterShapes().size());
     EXPECT_EQ(json["shapes"][0]["keys"][0]["key"], "d");
     EXPECT_EQ(json["everyShape"][0]["key"], "l");
+    EXPECT_EQ(json["everyShape"][4]["key"], "holder");
+    EXPECT_EQ(json["everyShape"][4]["example"], "40x30+40-60x15");
+    EXPECT_THAT(text.out, testing::ContainsRegex("Every shape:\n(  .*\n)*  so .*\n  holder .*40x30"));
+    EXPECT_THAT(text.out, testing::HasSubstr("e.g. 0/0:3/0:4/1@3/1:6/3@-2:6/8 (required)"));
 }
 
 TEST_F(CliUsage, ToolsOfATableAreListed) {

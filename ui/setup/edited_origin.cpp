@@ -10,7 +10,8 @@ namespace proveout {
 
 namespace {
 
-void addChanges(const std::map<std::string, double>& before, const std::map<std::string, double>& after,
+template<class Value>
+void addChanges(const std::map<std::string, Value>& before, const std::map<std::string, Value>& after,
                 std::set<std::string>& changed) {
     for (const auto& [key, value] : after)
         if (const auto found = before.find(key); found != before.end() && found->second != value)
@@ -31,7 +32,8 @@ std::optional<ToolOrigin> editedOrigin(ToolOrigin origin, const ToolSpec& before
     std::set<std::string> changed;
     if (before.shape == after.shape) {
         addChanges(before.values, after.values, changed);
-        if (changed.contains("d") || before.texts != after.texts)
+        addChanges(before.texts, after.texts, changed);
+        if (changed.contains("d") || changed.contains("p"))
             return std::nullopt;
     } else {
         changed.insert("shape");

@@ -82,9 +82,12 @@ void ToolForm::chooseShape(int index) {
     ToolSpec chosen = readSpec(cutterShapes()[static_cast<std::size_t>(index)].key);
     const std::vector<ShapeKey> before = keysOf(m_spec.shape);
     for (const ShapeKey& key : keysOf(chosen.shape)) {
-        // Sizes that both shapes have (diameter, lengths) are kept.
-        const ShapeKey* same = key.isText() ? nullptr : sameKey(before, key);
-        if (same != nullptr)
+        // What both shapes have (diameter, lengths, holder) is kept.
+        if (sameKey(before, key) == nullptr)
+            continue;
+        if (key.isText())
+            chosen.texts[key.key] = m_spec.texts[key.key];
+        else
             chosen.values[key.key] = std::clamp(m_spec.values[key.key], key.minimum, key.maximum);
     }
     m_spec = std::move(chosen);
@@ -126,13 +129,18 @@ QWidget* ToolForm::numberBox(const ShapeKey& key) {
     return box;
 }
 
+QString ToolForm::textHint(const ShapeKey& key) {
+    if (!key.required)
+        return tr("Example: %1").arg(QLatin1String(key.exampleText()));
+    return tr("For an arc, add the centre or the radius to its end point, as in %1 or %2; a negative radius "
+              "is "
+              "concave.\nDefault: %3")
+        .arg(QStringLiteral("4/1@3/1"), QStringLiteral("4/1@1"), QLatin1String(key.defaultText));
+}
+
 QWidget* ToolForm::textBox(const ShapeKey& key) {
     auto* box = new QLineEdit(QString::fromStdString(m_spec.texts[key.key]), this);
-    box->setToolTip(
-        coreText(key.label) + u'\n' +
-        tr("For an arc, add the centre or the radius to its end point, as in %1 or %2; a negative radius is "
-           "concave.\nDefault: %3")
-            .arg(QStringLiteral("4/1@3/1"), QStringLiteral("4/1@1"), QLatin1String(key.defaultText)));
+    box->setToolTip(coreText(key.label) + u'\n' + textHint(key));
     connect(box, &QLineEdit::editingFinished, this, [this, box, name = std::string(key.key)] {
         box->setModified(false);
         if (box->text().toStdString() == m_spec.texts[name])

@@ -35,6 +35,7 @@ private:
     void addKey(const ShapeKey& key);
     [[nodiscard]] QWidget* numberBox(const ShapeKey& key);
     [[nodiscard]] QWidget* textBox(const ShapeKey& key);
+    [[nodiscard]] static QString textHint(const ShapeKey& key);
     void showNumber(const std::string& key, double value);
     void showText(const std::string& key, const std::string& text);
     void nameShapes();

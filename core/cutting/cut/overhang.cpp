@@ -39,7 +39,7 @@ Cutter turnedOver(const NeckedHead& head) {
         if (piece.kind == PieceKind::upperArc)
             piece.kind = PieceKind::arc;
     }
-    return {"", std::move(profile), 0, 0, 0};
+    return {"", std::move(profile)};
 }
 
 Motion turnedOver(Motion motion) {
@@ -53,7 +53,7 @@ Motion turnedOver(Motion motion) {
 Cutter neckOf(const NeckedHead& head) {
     ProfilePiece disc;
     disc.r1 = head.neckRadius;
-    return {"", CutterProfile{{disc}, {}}, 0, 0, 0};
+    return {"", CutterProfile{{disc}, {}}};
 }
 
 /// Splits an arc into pieces over each of which the head passes a place only once, or nearly at one height.

@@ -23,6 +23,30 @@ TEST(ParseCutter, ReadsTheCommonKeys) {
     EXPECT_EQ(cutter.spec(), "ball:d=11,l=50,sd=12,sl=40");
 }
 
+TEST(ParseCutter, ReadsStickOutAndHolder) {
+    const Cutter cutter = parseCutter("ball:d=10,so=42.5,holder=40x30+40-60.5x15+20x1e1").value();
+    EXPECT_EQ(cutter.spec(), "ball:d=10,so=42.5,holder=40x30+40-60.5x15+20x1e1");
+    EXPECT_EQ(cutter.body().stickOut, 42.5);
+    const auto& holder = cutter.body().holder;
+    ASSERT_EQ(holder.size(), 3U);
+    const double expected[][3] = {{20, 20, 30}, {20, 30.25, 15}, {10, 10, 10}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(holder[k].lowerRadius, expected[k][0]) << k;
+        EXPECT_EQ(holder[k].upperRadius, expected[k][1]) << k;
+        EXPECT_EQ(holder[k].height, expected[k][2]) << k;
+    }
+    EXPECT_FALSE(cutter.body().shankGiven);
+    EXPECT_TRUE(parseCutter("ball:d=10,sd=8").value().body().shankGiven);
+    EXPECT_EQ(parseCutter("form:p=0/0:5/1,so=9,holder=20x5").value().body().holder.size(), 1U)
+        << "beside another text";
+    EXPECT_TRUE(parseCutter("flat:d=10").value().body().holder.empty());
+}
+
+TEST(ParseCutter, TakesAStickOutWithoutAHolder) {
+    EXPECT_EQ(parseCutter("bull:d=10,r=2,so=2").value().body().stickOut, 2)
+        << "as long as the profile is high";
+}
+
 TEST(ParseCutter, GivesAShankOfTheCuttersDiameterWhereNoneIsGiven) {
     EXPECT_EQ(parseCutter("flat:d=8").value().shankRadius(), 4);
 }
@@ -67,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Specs, BadCutters,
                                          Bad{"ball:d=0", "cutter-value-out-of-range", "d=0"},
                                          Bad{"ball:d=-3", "cutter-value-out-of-range", "0.001 to 10000 mm"},
                                          Bad{"ball:d=10,d=11", "cutter-key-twice", "key d"},
-                                         Bad{"ball:d=10,r=2", "cutter-key-unknown", "there are d, l, sd, sl"},
+                                         Bad{"ball:d=10,r=2", "cutter-key-unknown",
+                                             "there are d, l, sd, sl, so, holder"},
                                          Bad{"ball:d=10,,l=3", "cutter-key-unknown", "“”"},
                                          Bad{"ball:d=10,l=0", "cutter-value-out-of-range", "l=0"},
                                          Bad{"ball:d=10,l=4", "flutes-too-short", "l=4"},
@@ -78,7 +103,35 @@ INSTANTIATE_TEST_SUITE_P(Specs, BadCutters,
                                          Bad{"cone:d=10,angle=90,tip=10", "tip-too-large", "tip=10"},
                                          Bad{"drill:d=10", "cutter-key-missing", "key angle"},
                                          Bad{"drill:d=10,angle=118,tip=1", "cutter-key-unknown",
-                                             "there are d, angle, l, sd, sl"}));
+                                             "there are d, angle, l, sd, sl, so, holder"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Holders, BadCutters,
+    testing::Values(
+        Bad{"flat:d=6,holder=40x30", "holder-without-stick-out", "key so"},
+        Bad{"flat:d=6,so=0,holder=40x30", "holder-without-stick-out", "stick-out"},
+        Bad{"flat:d=6,so=-1", "cutter-value-out-of-range", "so=-1"},
+        Bad{"ball:d=6,so=2.9", "stick-out-too-short", "so=2.9"},
+        Bad{"tslot:d=20,w=4,neck=8,so=3", "stick-out-too-short", "4 mm"},
+        Bad{"flat:d=6,so=9,so=9", "cutter-key-twice", "key so"},
+        Bad{"flat:d=6,so=9,holder=", "holder-unreadable", "“”"},
+        Bad{"flat:d=6,so=9,holder=40", "holder-unreadable", "“40”"},
+        Bad{"flat:d=6,so=9,holder=40x", "holder-unreadable", "“40x”"},
+        Bad{"flat:d=6,so=9,holder=x30", "holder-unreadable", "“x30”"},
+        Bad{"flat:d=6,so=9,holder=40x30+", "holder-unreadable", "“”"},
+        Bad{"flat:d=6,so=9,holder=40x30mm", "holder-unreadable", "“40x30mm”"},
+        Bad{"flat:d=6,so=9,holder=40x30x20", "holder-unreadable", "“40x30x20”"},
+        Bad{"flat:d=6,so=9,holder=40-x30", "holder-unreadable", "“40-x30”"},
+        Bad{"flat:d=6,so=9,holder=40-50-60x30", "holder-unreadable", "“40-50-60x30”"},
+        Bad{"flat:d=6,so=9,holder=40 x30", "holder-unreadable", "40x30, a cone as 20-40x15"},
+        Bad{"flat:d=6,so=9,holder=0x30", "holder-size", "0x30"},
+        Bad{"flat:d=6,so=9,holder=-40x30", "holder-size", "-40x30"},
+        Bad{"flat:d=6,so=9,holder=40-1001x30", "holder-size", "0.001 to 1000 mm"},
+        Bad{"flat:d=6,so=9,holder=40x0", "holder-size", "40x0"},
+        Bad{"flat:d=6,so=9,holder=40x1000.1", "holder-size", "40x1000.1"},
+        Bad{"flat:d=6,so=9,holder=nanxinf", "holder-size", "nanxinf"},
+        Bad{"flat:d=6,so=9,holder=1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1+1x1",
+            "holder-too-long", "16 segments"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, BadCutters,
@@ -136,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Profiles, BadCutters,
                                              "form-too-fine", "1000 lines"},
                                          Bad{"form:p=0/0:3/0,p=0/0", "cutter-key-twice", "key p"},
                                          Bad{"form:p=0/0:3/0,d=6", "cutter-key-unknown",
-                                             "there are p, l, sd, sl"}));
+                                             "there are p, l, sd, sl, so, holder"}));
 
 TEST(ParseCutter, RefusesAProfileOfThousandsOfPoints) {
     std::string spec = "form:p=0/0";

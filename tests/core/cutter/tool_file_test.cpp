@@ -46,6 +46,17 @@ TEST_F(ToolFile, ReadsNumbersAndCutters) {
     EXPECT_EQ(tools->find(12)->spec(), "flat:d=6");
 }
 
+TEST_F(ToolFile, KeepsStickOutAndHolder) {
+    const auto tools =
+        read("[[tool]]\nnumber = 1\ncutter = \"ball:d=11,l=50,sd=12,so=60,holder=40x30+40-60x15\"\n");
+    ASSERT_TRUE(tools) << oneLine(tools.error().front());
+    EXPECT_EQ(tools->find(1)->body().stickOut, 60);
+    ASSERT_EQ(tools->find(1)->body().holder.size(), 2U);
+    EXPECT_EQ(tools->find(1)->body().holder[1].upperRadius, 30);
+    EXPECT_THAT(reported("[[tool]]\nnumber = 1\ncutter = \"ball:d=11,so=60,holder=40\"\n"),
+                HasSubstr("3:10 “40” is not a segment of a holder"));
+}
+
 TEST_F(ToolFile, MayMarkSizesAsNotConfirmed) {
     const auto tools = read("[[tool]]\nnumber = 1\ncutter = \"flat:d=6\"\nsource = \"assumed\"\n"
                             "[[tool]]\nnumber = 2\ncutter = \"flat:d=6\"\nsource = \"given\"\n"

@@ -84,11 +84,13 @@ TEST_F(JobFile, KeepsWhereTheSizesOfAToolComeFrom) {
     const ToolOrigin comment{ToolSource::comment, 3, "T1 D=11 \"BALL\"", {"shape", "l"}, {"sd", "sl"}};
     job->setup.tools.set(1, *job->setup.tools.find(1), comment);
     job->setup.tools.set(5, parseCutter("flat:d=10").value(), {ToolSource::assumed});
+    job->setup.tools.set(6, parseCutter("flat:d=10,sd=12,so=40,holder=40x30+40-60x15").value());
     ASSERT_TRUE(writeJob(m_folder / "again.proveout", *job));
     const auto again = readJob(m_folder / "again.proveout");
     ASSERT_TRUE(again) << oneLine(again.error().front());
     EXPECT_TRUE(again->warnings.empty());
     EXPECT_EQ(again->setup.tools, job->setup.tools);
+    EXPECT_EQ(again->setup.tools.find(6)->body().holder.size(), 2U);
     ASSERT_NE(again->setup.tools.unconfirmedOrigin(1), nullptr);
     EXPECT_EQ(*again->setup.tools.unconfirmedOrigin(1), comment);
     EXPECT_EQ(again->setup.tools.unconfirmedOrigin(12), nullptr);

@@ -56,6 +56,19 @@ private slots:
         QCOMPARE(form.spec().values.at("l"), 33.0);
     }
 
+    void aHolderIsEditedAsTextAndStaysWithAnotherShape() {
+        ToolForm form;
+        form.show(readSpec("flat:d=8,so=40,holder=40x30"));
+        auto& holder = box<QLineEdit>(form, "holder");
+        QCOMPARE(holder.text(), QStringLiteral("40x30"));
+        QVERIFY(holder.toolTip().contains(QLatin1String("40x30+40-60x15")));
+        choose(form, "form");
+        QCOMPARE(form.spec().texts.at("holder"), std::string("40x30"));
+        QCOMPARE(form.spec().values.at("so"), 40.0);
+        choose(form, "ball");
+        QCOMPARE(writeSpec(form.spec()), std::string("ball:d=10,so=40,holder=40x30"));
+    }
+
     void aProfileIsEditedAsText() {
         ToolForm form;
         form.show(readSpec("form:p=0/0:3/0:4/1@1,l=20"));
