@@ -23,17 +23,14 @@ bool finite(const Motion& motion) {
            (motion.kind != MotionKind::arc || (finite(motion.centre) && std::isfinite(motion.sweep)));
 }
 
-/// How far beyond its rim a cutter cuts, so that a point exactly on the rim is cut whichever way its distance
-/// is rounded: a thousandth of a nanometre, or more where coordinates are so large that a double has less
-/// precision.
+} // namespace
+
 double rimSlack(const Motion& motion) {
     double largest = 0;
     for (int axis = 0; axis < 2; ++axis)
         largest = std::max({largest, std::abs(motion.start[axis]), std::abs(motion.end[axis])});
     return 1e-9 + 4 * std::numeric_limits<double>::epsilon() * largest;
 }
-
-} // namespace
 
 Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     : m_origin(motion.start.x, motion.start.y, topZ),

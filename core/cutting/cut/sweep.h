@@ -17,6 +17,11 @@
 
 namespace proveout {
 
+/// How far beyond its rim a cutter cuts, so that a point exactly on the rim is cut whichever way its distance
+/// is rounded: a thousandth of a nanometre, or more where coordinates are so large that a double has less
+/// precision.
+[[nodiscard]] double rimSlack(const Motion& motion);
+
 /// The swept volume. Arguments are in program coordinates over ground, and heights are relative to `topZ`;
 /// internally coordinates are relative to the motion's start, so that precision does not depend on the
 /// position of the stock. Immutable; any thread.
