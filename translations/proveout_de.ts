@@ -206,13 +206,6 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
-    <name>MemoryMenu</name>
-    <message>
-        <source>%1 (default)</source>
-        <translation>%1 (Vorgabe)</translation>
-    </message>
-</context>
-<context>
     <name>CloserLook</name>
     <message>
         <source>Drag a box on the stock, or click a point.</source>
@@ -7525,6 +7518,86 @@ Vorgabe: 0 mm</translation>
         <source>Stock shape</source>
         <translation>Form des Rohteils</translation>
     </message>
+    <message>
+        <source>Invalid holder segment</source>
+        <translation>Ungültiger Abschnitt der Aufnahme</translation>
+    </message>
+    <message>
+        <source>“{}” is not a segment of a holder; a cylinder is written as {}, a cone as {}.</source>
+        <translation>„{}“ ist kein Abschnitt einer Aufnahme; ein Zylinder wird als {} geschrieben, ein Kegel als {}.</translation>
+    </message>
+    <message>
+        <source>Holder size out of range</source>
+        <translation>Maß der Aufnahme außerhalb</translation>
+    </message>
+    <message>
+        <source>The segment {} of the holder has a diameter or height that is out of range, {} to {} mm.</source>
+        <translation>Der Abschnitt {} der Aufnahme hat einen Durchmesser oder eine Höhe außerhalb von {} bis {} mm.</translation>
+    </message>
+    <message>
+        <source>Too many holder segments</source>
+        <translation>Zu viele Abschnitte der Aufnahme</translation>
+    </message>
+    <message>
+        <source>The holder has more than {} segments.</source>
+        <translation>Die Aufnahme hat mehr als {} Abschnitte.</translation>
+    </message>
+    <message>
+        <source>Holder without stick-out</source>
+        <translation>Aufnahme ohne Auskraglänge</translation>
+    </message>
+    <message>
+        <source>A holder needs the key so, the stick-out from the tip to the face of the holder.</source>
+        <translation>Eine Aufnahme braucht den Schlüssel so, die Auskraglänge von der Spitze bis zur Stirnfläche der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Stick-out too short</source>
+        <translation>Auskraglänge zu kurz</translation>
+    </message>
+    <message>
+        <source>The stick-out so={} is less than the height of the cutter&apos;s profile, {} mm.</source>
+        <translation>Die Auskraglänge so={} ist kleiner als die Höhe des Fräserprofils, {} mm.</translation>
+    </message>
+    <message>
+        <source>Stick-out, from tip to holder (0: unknown)</source>
+        <translation>Auskraglänge, von der Spitze bis zur Aufnahme (0: unbekannt)</translation>
+    </message>
+    <message>
+        <source>Holder, DIAMETERxHEIGHT+… from its face upwards</source>
+        <translation>Aufnahme, DURCHMESSERxHÖHE+… von der Stirnfläche nach oben</translation>
+    </message>
+    <message>
+        <source>Holder collision</source>
+        <translation>Kollision der Aufnahme</translation>
+    </message>
+    <message>
+        <source>The holder collides with the stock, {} mm deep at X{} Y{} Z{}.</source>
+        <translation>Die Aufnahme kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}.</translation>
+    </message>
+    <message>
+        <source>Remove the stock there first, or choose a tool with more stick-out.</source>
+        <translation>Das Rohteil dort zuerst abtragen oder ein Werkzeug mit größerer Auskraglänge wählen.</translation>
+    </message>
+    <message>
+        <source>The holder collides with the stock, {} mm deep at X{} Y{} Z{}, with the unconfirmed tool T{}.</source>
+        <translation>Die Aufnahme kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}, mit dem unbestätigten Werkzeug T{}.</translation>
+    </message>
+    <message>
+        <source>Shank collision</source>
+        <translation>Kollision des Schafts</translation>
+    </message>
+    <message>
+        <source>The shank collides with the stock, {} mm deep at X{} Y{} Z{}.</source>
+        <translation>Der Schaft kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}.</translation>
+    </message>
+    <message>
+        <source>Remove the stock there first, or choose a tool with a thinner shank.</source>
+        <translation>Das Rohteil dort zuerst abtragen oder ein Werkzeug mit dünnerem Schaft wählen.</translation>
+    </message>
+    <message>
+        <source>The shank collides with the stock, {} mm deep at X{} Y{} Z{}, with the unconfirmed tool T{}.</source>
+        <translation>Der Schaft kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}, mit dem unbestätigten Werkzeug T{}.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8254,6 +8327,13 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>Laufzeit %1: Vorschub %2, Eilgang %3, Verweilen %4, Werkzeugwechsel %5</translation>
+    </message>
+</context>
+<context>
+    <name>MemoryMenu</name>
+    <message>
+        <source>%1 (default)</source>
+        <translation>%1 (Vorgabe)</translation>
     </message>
 </context>
 <context>
@@ -9486,6 +9566,10 @@ Vorgabe: %5 %4</translation>
 Default: %3</source>
         <translation>Für einen Bogen den Mittelpunkt oder Radius an den Endpunkt anfügen, wie in %1 oder %2; ein negativer Radius ist konkav.
 Vorgabe: %3</translation>
+    </message>
+    <message>
+        <source>Example: %1</source>
+        <translation>Beispiel: %1</translation>
     </message>
 </context>
 <context>

@@ -206,13 +206,6 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
-    <name>MemoryMenu</name>
-    <message>
-        <source>%1 (default)</source>
-        <translation>%1(기본값)</translation>
-    </message>
-</context>
-<context>
     <name>CloserLook</name>
     <message>
         <source>Drag a box on the stock, or click a point.</source>
@@ -7525,6 +7518,86 @@ Default: 0 mm</source>
         <source>Stock shape</source>
         <translation>소재 형상</translation>
     </message>
+    <message>
+        <source>Invalid holder segment</source>
+        <translation>잘못된 홀더 구간</translation>
+    </message>
+    <message>
+        <source>“{}” is not a segment of a holder; a cylinder is written as {}, a cone as {}.</source>
+        <translation>“{}”은(는) 홀더 구간이 아닙니다. 원통은 {}, 원뿔은 {}와 같이 적습니다.</translation>
+    </message>
+    <message>
+        <source>Holder size out of range</source>
+        <translation>범위를 벗어난 홀더 치수</translation>
+    </message>
+    <message>
+        <source>The segment {} of the holder has a diameter or height that is out of range, {} to {} mm.</source>
+        <translation>홀더 구간 {}의 지름이나 높이가 {}~{} mm 범위를 벗어났습니다.</translation>
+    </message>
+    <message>
+        <source>Too many holder segments</source>
+        <translation>너무 많은 홀더 구간</translation>
+    </message>
+    <message>
+        <source>The holder has more than {} segments.</source>
+        <translation>홀더 구간이 {}개를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Holder without stick-out</source>
+        <translation>돌출 길이 없는 홀더</translation>
+    </message>
+    <message>
+        <source>A holder needs the key so, the stick-out from the tip to the face of the holder.</source>
+        <translation>홀더에는 선단에서 홀더 단면까지의 돌출 길이인 so 키가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Stick-out too short</source>
+        <translation>너무 짧은 돌출 길이</translation>
+    </message>
+    <message>
+        <source>The stick-out so={} is less than the height of the cutter&apos;s profile, {} mm.</source>
+        <translation>돌출 길이 so={}이(가) 커터 프로파일의 높이 {} mm보다 짧습니다.</translation>
+    </message>
+    <message>
+        <source>Stick-out, from tip to holder (0: unknown)</source>
+        <translation>돌출 길이, 선단에서 홀더까지(0: 알 수 없음)</translation>
+    </message>
+    <message>
+        <source>Holder, DIAMETERxHEIGHT+… from its face upwards</source>
+        <translation>홀더, 단면에서 위쪽으로 적은 지름x높이+… 형식</translation>
+    </message>
+    <message>
+        <source>Holder collision</source>
+        <translation>홀더 충돌</translation>
+    </message>
+    <message>
+        <source>The holder collides with the stock, {} mm deep at X{} Y{} Z{}.</source>
+        <translation>홀더가 소재와 충돌합니다(깊이 {} mm, 위치 X{} Y{} Z{}).</translation>
+    </message>
+    <message>
+        <source>Remove the stock there first, or choose a tool with more stick-out.</source>
+        <translation>그곳의 소재를 먼저 제거하거나 돌출 길이가 더 긴 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>The holder collides with the stock, {} mm deep at X{} Y{} Z{}, with the unconfirmed tool T{}.</source>
+        <translation>홀더가 소재와 충돌합니다(깊이 {} mm, 위치 X{} Y{} Z{}, 확인되지 않은 공구 T{}).</translation>
+    </message>
+    <message>
+        <source>Shank collision</source>
+        <translation>생크 충돌</translation>
+    </message>
+    <message>
+        <source>The shank collides with the stock, {} mm deep at X{} Y{} Z{}.</source>
+        <translation>생크가 소재와 충돌합니다(깊이 {} mm, 위치 X{} Y{} Z{}).</translation>
+    </message>
+    <message>
+        <source>Remove the stock there first, or choose a tool with a thinner shank.</source>
+        <translation>그곳의 소재를 먼저 제거하거나 생크가 더 가는 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>The shank collides with the stock, {} mm deep at X{} Y{} Z{}, with the unconfirmed tool T{}.</source>
+        <translation>생크가 소재와 충돌합니다(깊이 {} mm, 위치 X{} Y{} Z{}, 확인되지 않은 공구 T{}).</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8253,6 +8326,13 @@ Default: 0 mm</source>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>가공 시간 %1: 절삭 %2, 급속 %3, 드웰 %4, 공구 교환 %5</translation>
+    </message>
+</context>
+<context>
+    <name>MemoryMenu</name>
+    <message>
+        <source>%1 (default)</source>
+        <translation>%1(기본값)</translation>
     </message>
 </context>
 <context>
@@ -9485,6 +9565,10 @@ Default: %5 %4</source>
 Default: %3</source>
         <translation>원호는 %1 또는 %2처럼 끝점에 중심이나 반경을 덧붙입니다. 음수 반경은 오목한 원호입니다.
 기본값: %3</translation>
+    </message>
+    <message>
+        <source>Example: %1</source>
+        <translation>예: %1</translation>
     </message>
 </context>
 <context>

@@ -2,11 +2,14 @@
 #include "core/simulation/run/block_cutter.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "core/cutting/cut/overhang.h"
 #include "core/simulation/run/statistics.h"
+#include "core/simulation/run/tool_assemblies.h"
 
 namespace proveout {
 
@@ -17,6 +20,15 @@ void judge(const Overhang& overhang, bool unconfirmed, std::size_t block, Findin
         findings.add(block, FindingKind::neckInStock, overhang.neckDepth, unconfirmed);
     if (overhang.height > kNothingRemoved)
         findings.add(block, FindingKind::overhangLost, overhang.volumeMm3, unconfirmed, overhang.place);
+}
+
+void judge(const AssemblyContact& contact, bool unconfirmed, std::size_t block, FindingLog& findings) {
+    if (contact.shank.depth > 0)
+        findings.add(block, FindingKind::shankCollision, contact.shank.depth, unconfirmed,
+                     contact.shank.place);
+    if (contact.holder.depth > 0)
+        findings.add(block, FindingKind::holderCollision, contact.holder.depth, unconfirmed,
+                     contact.holder.place);
 }
 
 /// Whether the cutter may be over the stock in plan: an axis of unknown position may be anywhere.
@@ -135,6 +147,7 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
     std::optional<ZMapSnapshot> before;
     Overhang overhang;
     bool unconfirmed = false; // the tool of the last motion: a block changes its tool before it moves
+    ToolAssemblies assemblies;
     for (std::size_t index = motions.first; index < motions.last; ++index) {
         const Motion motion = program.motion(index);
         const Cutter* cutter = cutterOf(motion, setup, tools);
@@ -143,6 +156,9 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         const bool measured = findings != nullptr && cutter->head();
         if (stop.stop_possible() && !before && (measured || motions.last - motions.first > 1))
             before = zmap.snapshot();
+        std::optional<AssemblyContact> contact;
+        if (findings != nullptr)
+            contact = assemblies.of(*cutter).contact(zmap, motion, stop);
         std::optional<CutRecord> record;
         if (!stop.stop_requested()) // a motion with little work does not check, but a cycle has thousands
             record = measured ? cutWithHead(zmap, *cutter, motion, overhang, stop)
@@ -156,6 +172,7 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         }
         if (findings != nullptr) {
             unconfirmed = isUnconfirmed(motion, setup, tools);
+            judge(*contact, unconfirmed, block, *findings);
             judge(zmap, *record, motion, *cutter, unconfirmed, block, *findings);
         }
         sum.add(*record);
@@ -184,10 +201,13 @@ public:
     /// False if it was stopped: the map may have been cut then.
     bool cutAll() {
         for (std::size_t block = m_first; block < m_last; ++block) {
-            if (needsItsMoment(block) ? !cutWaiting() || !cutAlone(block) : m_stop.stop_requested())
+            const std::size_t waiting = m_waiting.size();
+            if (m_stop.stop_requested())
+                return false;
+            if (needsItsMoment(block) ? !cutWaiting(waiting) || !cutAlone(block) : !checkFrom(waiting))
                 return false;
         }
-        return cutWaiting();
+        return cutWaiting(m_waiting.size());
     }
 
 private:
@@ -212,22 +232,48 @@ private:
         return false;
     }
 
-    bool cutWaiting() {
-        if (m_waiting.empty())
+    /// Finds the contacts of shanks and holders on the motions that wait, from index `first` on. Those before
+    /// a motion must be cut first only if it has a contact without: on a lower map there is none that is not
+    /// there on a higher one.
+    bool checkFrom(std::size_t first) {
+        for (std::size_t k = first; m_findings != nullptr && k < m_waiting.size(); ++k) {
+            const Cutter& cutter = *m_waiting[k].cutter;
+            auto contact = m_assemblies.of(cutter).contact(m_zmap, m_waiting[k].motion, m_stop);
+            if (contact && contact->any() && k > 0) {
+                if (!cutWaiting(k))
+                    return false;
+                k = 0;
+                contact = m_assemblies.of(cutter).contact(m_zmap, m_waiting[k].motion, m_stop);
+            }
+            if (!contact)
+                return false;
+            if (contact->any())
+                m_contacts.emplace(k, *contact);
+        }
+        return true;
+    }
+
+    /// Cuts the first `count` of those that wait.
+    bool cutWaiting(std::size_t count) {
+        if (count == 0)
             return true;
-        if (!m_cutter.cut(m_zmap, m_waiting, m_records, m_stop))
+        const std::span<const CutterMotion> motions = std::span(m_waiting).first(count);
+        if (!m_cutter.cut(m_zmap, motions, m_records, m_stop))
             return false;
-        for (std::size_t k = 0; k < m_waiting.size(); ++k) {
-            const auto& [cutter, motion, mark, recorded] = m_waiting[k];
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto& [cutter, motion, mark, recorded] = motions[k];
+            const std::size_t block = mark - 1;
+            if (const auto contact = m_contacts.find(k); contact != m_contacts.end())
+                judge(contact->second, isUnconfirmed(motion, m_setup, m_tools), block, *m_findings);
             if (!recorded)
                 continue;
-            const std::size_t block = mark - 1;
             if (m_findings != nullptr)
                 judge(m_zmap, m_records[k], motion, *cutter, isUnconfirmed(motion, m_setup, m_tools), block,
                       *m_findings);
             m_sums[block - m_first].add(m_records[k]);
         }
-        m_waiting.clear();
+        m_waiting.erase(m_waiting.begin(), m_waiting.begin() + static_cast<std::ptrdiff_t>(count));
+        m_contacts.clear();
         return true;
     }
 
@@ -248,9 +294,11 @@ private:
     std::size_t m_first;
     std::size_t m_last;
     SequenceCutter& m_cutter;
-    std::vector<CutterMotion>& m_waiting; ///< marked by 1 + their block
-    std::vector<CutRecord>& m_records;    ///< of those that waited last
-    std::vector<CutRecord>& m_sums;       ///< by block
+    ToolAssemblies m_assemblies;
+    std::vector<CutterMotion>& m_waiting;              ///< marked by 1 + their block
+    std::map<std::size_t, AssemblyContact> m_contacts; ///< by index of those that wait
+    std::vector<CutRecord>& m_records;                 ///< of those that waited last
+    std::vector<CutRecord>& m_sums;                    ///< by block
 };
 
 void addMotions(const Program& program, std::size_t first, std::size_t last, const Setup& setup,

@@ -54,6 +54,38 @@ inline constexpr FindingRow kNeckInStockUnconfirmed{
     PROVEOUT_TEXT("Core", "Neck in stock"),
     PROVEOUT_TEXT("Core", "{} mm of stock meet the neck of the unconfirmed tool T{}."),
     kRapidCutsUnconfirmed.hint};
+inline constexpr FindingRow kHolderCollision{
+    Severity::fault,
+    false,
+    "holder-collision",
+    PROVEOUT_TEXT("Core", "Holder collision"),
+    PROVEOUT_TEXT("Core", "The holder collides with the stock, {} mm deep at X{} Y{} Z{}."),
+    PROVEOUT_TEXT("Core", "Remove the stock there first, or choose a tool with more stick-out."),
+    SeverityRule::warningIfAssumed};
+inline constexpr FindingRow kHolderCollisionUnconfirmed{
+    Severity::warning,
+    true,
+    "holder-collision",
+    PROVEOUT_TEXT("Core", "Holder collision"),
+    PROVEOUT_TEXT("Core", "The holder collides with the stock, {} mm deep at X{} Y{} Z{}, with the "
+                          "unconfirmed tool T{}."),
+    kRapidCutsUnconfirmed.hint};
+inline constexpr FindingRow kShankCollision{
+    Severity::fault,
+    false,
+    "shank-collision",
+    PROVEOUT_TEXT("Core", "Shank collision"),
+    PROVEOUT_TEXT("Core", "The shank collides with the stock, {} mm deep at X{} Y{} Z{}."),
+    PROVEOUT_TEXT("Core", "Remove the stock there first, or choose a tool with a thinner shank."),
+    SeverityRule::warningIfAssumed};
+inline constexpr FindingRow kShankCollisionUnconfirmed{
+    Severity::warning,
+    true,
+    "shank-collision",
+    PROVEOUT_TEXT("Core", "Shank collision"),
+    PROVEOUT_TEXT("Core", "The shank collides with the stock, {} mm deep at X{} Y{} Z{}, with the "
+                          "unconfirmed tool T{}."),
+    kRapidCutsUnconfirmed.hint};
 inline constexpr FindingRow kRapidUncheckedStart{
     Severity::error,
     true,
@@ -90,6 +122,8 @@ inline constexpr FindingRow kMoreFindings{
 inline constexpr std::array kCuttingRows{&kRapidCuts,           &kRapidCutsUnconfirmed,
                                          &kDepthBeyondFlutes,   &kDepthBeyondFlutesUnconfirmed,
                                          &kNeckInStock,         &kNeckInStockUnconfirmed,
+                                         &kHolderCollision,     &kHolderCollisionUnconfirmed,
+                                         &kShankCollision,      &kShankCollisionUnconfirmed,
                                          &kRapidUncheckedStart, &kRapidUncheckedHeight,
                                          &kOverhangLost,        &kMoreFindings};
 

@@ -35,6 +35,8 @@ constexpr std::array kKindRows{
     KindRows{&cutting_finding::kRapidUncheckedHeight, nullptr},
     KindRows{&cutting_finding::kNeckInStock, &cutting_finding::kNeckInStockUnconfirmed},
     KindRows{&cutting_finding::kOverhangLost, nullptr},
+    KindRows{&cutting_finding::kHolderCollision, &cutting_finding::kHolderCollisionUnconfirmed},
+    KindRows{&cutting_finding::kShankCollision, &cutting_finding::kShankCollisionUnconfirmed},
 };
 
 const FindingRow& rowOf(FindingKind kind, bool unconfirmed) {
@@ -95,33 +97,38 @@ void reportAboutTools(const Program& program, const ToolChoice& tools, BoundedDi
 
 } // namespace
 
-void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unconfirmed) {
-    const auto index = static_cast<std::uint32_t>(block);
-    for (auto finding = m_findings.rbegin(); finding != m_findings.rend() && finding->block == index;
+bool FindingLog::keepLarger(std::uint32_t block, FindingKind kind, double value, bool unconfirmed) {
+    for (auto finding = m_findings.rbegin(); finding != m_findings.rend() && finding->block == block;
          ++finding)
         if (finding->kind == kind) {
+            const bool isLarger = value > finding->value;
             finding->value = std::max(finding->value, value);
             --countOf(*finding);
             finding->unconfirmed = finding->unconfirmed && unconfirmed;
             ++countOf(*finding);
-            return;
+            return isLarger;
         }
-    ++countOf(m_findings.emplace_back(Finding{index, kind, unconfirmed, value}));
+    ++countOf(m_findings.emplace_back(Finding{block, kind, unconfirmed, value}));
+    return true;
+}
+
+void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unconfirmed) {
+    (void)keepLarger(static_cast<std::uint32_t>(block), kind, value, unconfirmed);
 }
 
 void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unconfirmed, const Vec3& place) {
-    add(block, kind, value, unconfirmed);
-    m_places.insert_or_assign(static_cast<std::uint32_t>(block), place);
+    const auto index = static_cast<std::uint32_t>(block);
+    if (keepLarger(index, kind, value, unconfirmed))
+        m_places.insert_or_assign({index, kind}, place);
 }
 
 std::vector<Argument> FindingLog::argumentsOf(const Finding& finding, const Program& program,
                                               const ToolChoice& tools) const {
     std::vector<Argument> arguments = {figures("{:.3f}", finding.value)};
-    const auto place = m_places.find(finding.block);
-    if (finding.kind == FindingKind::overhangLost && place != m_places.end()) {
+    if (const auto place = m_places.find({finding.block, finding.kind}); place != m_places.end())
         for (int axis = 0; axis < 3; ++axis)
             arguments.push_back(figures("{:.3f}", place->second[axis]));
-    } else if (finding.unconfirmed) {
+    if (finding.unconfirmed && kKindRows[static_cast<std::size_t>(finding.kind)].unconfirmed != nullptr) {
         const std::size_t last = program.blockMotions(finding.block).last - 1;
         arguments.push_back(std::to_string(tools.tool(program.motion(last).tool)));
     }
@@ -134,7 +141,7 @@ bool FindingLog::foundAt(std::size_t block) const {
 }
 
 void FindingLog::truncate(std::size_t block) {
-    m_places.erase(m_places.lower_bound(static_cast<std::uint32_t>(block)), m_places.end());
+    m_places.erase(m_places.lower_bound({static_cast<std::uint32_t>(block), FindingKind{}}), m_places.end());
     const auto first = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);
     for (auto gone = first; gone != m_findings.end(); ++gone)
         --countOf(*gone);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/diagnostic.h"
@@ -23,6 +24,8 @@ enum class FindingKind : std::uint8_t {
     neckInStock,          ///< the neck of a cutter went through material above its head; value: height, mm
     overhangLost, ///< the z-map has lost material that remains above a head; value: mm³, and the place of the
                   ///< highest
+    holderCollision, ///< the holder is in the stock; value: depth, mm, and the place of the deepest
+    shankCollision,  ///< the same of the shank
 };
 
 /// All findings of one kind with one tool.
@@ -43,7 +46,7 @@ public:
     /// Add blocks in ascending order; if a block has a kind repeatedly, the larger value is kept.
     /// `unconfirmed`: the sizes of the tool are not confirmed, so that the finding is not a fault.
     void add(std::size_t block, FindingKind kind, double value, bool unconfirmed = false);
-    /// The same for a kind that has a place; there is one such kind.
+    /// The same for a kind that has a place: that of the value that is kept.
     void add(std::size_t block, FindingKind kind, double value, bool unconfirmed, const Vec3& place);
     /// Whether there is a finding for block `block`.
     [[nodiscard]] bool foundAt(std::size_t block) const;
@@ -65,8 +68,10 @@ private:
         bool unconfirmed; ///< the tool
         double value;
     };
-    static constexpr std::size_t kKinds = 6;
+    static constexpr std::size_t kKinds = 8;
 
+    /// False if a larger value is kept.
+    bool keepLarger(std::uint32_t block, FindingKind kind, double value, bool unconfirmed);
     /// Values, place and tool for the text of a finding.
     [[nodiscard]] std::vector<Argument> argumentsOf(const Finding& finding, const Program& program,
                                                     const ToolChoice& tools) const;
@@ -75,7 +80,7 @@ private:
     }
 
     std::vector<Finding> m_findings;
-    std::map<std::uint32_t, Vec3> m_places; ///< by block, for the kind that has places
+    std::map<std::pair<std::uint32_t, FindingKind>, Vec3> m_places; ///< by block, for kinds that have places
     /// Counts of m_findings by kind: with confirmed and with unconfirmed tools.
     std::array<std::array<std::size_t, kKinds>, 2> m_counts{};
 };
