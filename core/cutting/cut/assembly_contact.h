@@ -19,8 +19,6 @@ struct PartContact {
     /// By which the stock is higher than the part, or than its own floor, over one point, mm; 0: none.
     double depth = 0;
     Vec3 place{0}; ///< the point, and the lower surface of the part over it; program coordinates
-
-    void add(const PartContact& other);
 };
 
 struct AssemblyContact {
@@ -41,10 +39,10 @@ struct AssemblyContact {
 /// on an arc, both count as moving along its chords (MomentsOverPoint), within a micrometre of it.
 class ToolAssembly {
 public:
-    /// Smaller depths do not count as contacts: two exact cuts may differ by a micrometre each.
+    /// Smaller depths do not count as contacts: two exact cuts may differ by a micrometre each. Of contacts
+    /// that are equally deep within 0.1 µm, the place of one is given.
     static constexpr double kExact = 2e-3;
 
-    ToolAssembly() = default; ///< of nothing
     /// `clearance`: parts also touch what is nearer than this to their sides or below them, mm, except what
     /// is lower than the profile of the cutter. Nothing is kept of `cutter`.
     explicit ToolAssembly(const Cutter& cutter, double clearance = 0);
@@ -52,6 +50,8 @@ public:
     /// Whether there is nothing that could touch: neither a holder nor a shank was given, or both are as
     /// narrow as the cutter.
     [[nodiscard]] bool empty() const { return m_parts.empty(); }
+    /// The largest radius of the parts; 0 if there are none.
+    [[nodiscard]] double radius() const;
     /// Whether all parts stay above the uncut stock on the motion; costs next to nothing.
     [[nodiscard]] bool staysAbove(const StockBox& stock, const Motion& motion) const;
     /// The contacts on a motion of this cutter that begins on this map, which is the one before the motion is
