@@ -31,7 +31,7 @@ void judge(const AssemblyContact& contact, bool unconfirmed, std::size_t block, 
                      contact.holder.place);
 }
 
-/// Whether the cutter may be over the stock in plan: an axis of unknown position may be anywhere.
+/// Whether the tool may be over the stock in plan: an axis of unknown position may be anywhere.
 bool mayMeetInPlan(const StockBox& stock, const Motion& motion, double radius) {
     const auto within = [&](int axis, AxisBits bit, double from, double length) {
         return (motion.endKnown & bit) == 0 ||
@@ -40,13 +40,14 @@ bool mayMeetInPlan(const StockBox& stock, const Motion& motion, double radius) {
     return within(0, kAxisX, stock.corner.x, stock.width) && within(1, kAxisY, stock.corner.y, stock.depth);
 }
 
-/// Whether the cutter, at rest at the end of the motion, would be in the remaining stock.
-bool isInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion) {
+/// Whether the tool, at rest at the end of the motion, would be in the remaining stock.
+bool isInStock(const ZMap& zmap, const Cutter& cutter, const ToolAssembly& assembly, const Motion& motion) {
     ZMap trial(zmap.snapshot());
     Motion stationary = motion;
     stationary.start = motion.end;
     stationary.startKnown = kAllAxes;
-    return cut(trial, cutter, stationary).maxDepth > kNothingRemoved;
+    return assembly.contact(zmap, stationary, {})->any() ||
+           cut(trial, cutter, stationary).maxDepth > kNothingRemoved;
 }
 
 /// A rapid to, at or from the machine's reference position, which is above everything, that stays clear of
@@ -78,27 +79,28 @@ bool mayCrossAtUnknownHeight(const StockBox& stock, const Motion& motion, double
 /// The path of a rapid from an unknown position is unknown too, so it cuts nothing. Most programs begin this
 /// way, with a move to a safe height; a rapid that ends in the stock, or continues over it at an unknown
 /// height, must not count as checked.
-void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& motion, std::size_t block,
-                       FindingLog& findings) {
+void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const ToolAssembly& assembly,
+                       const Motion& motion, std::size_t block, FindingLog& findings) {
     if (clearByReference(zmap.stock(), motion))
         return;
-    if (mayCrossAtUnknownHeight(zmap.stock(), motion, cutter.radius())) {
+    const double radius = std::max(cutter.radius(), assembly.radius());
+    if (mayCrossAtUnknownHeight(zmap.stock(), motion, radius)) {
         findings.add(block, FindingKind::rapidAtUnknownHeight, 0);
         return;
     }
     const double below = zmap.stock().topZ() - motion.end.z;
     if ((motion.endKnown & kAxisZ) == 0 || below <= kNothingRemoved ||
-        !mayMeetInPlan(zmap.stock(), motion, cutter.radius()))
+        !mayMeetInPlan(zmap.stock(), motion, radius))
         return;
-    if (motion.endKnown != kAllAxes || isInStock(zmap, cutter, motion))
+    if (motion.endKnown != kAllAxes || isInStock(zmap, cutter, assembly, motion))
         findings.add(block, FindingKind::rapidUnchecked, below);
 }
 
 /// The findings of a motion that has been cut, in the map of that moment.
 void judge(const ZMap& zmap, const CutRecord& record, const Motion& motion, const Cutter& cutter,
-           bool unconfirmed, std::size_t block, FindingLog& findings) {
+           const ToolAssembly& assembly, bool unconfirmed, std::size_t block, FindingLog& findings) {
     if (motion.kind == MotionKind::rapid && !motion.known())
-        judgeUnknownRapid(zmap, cutter, motion, block, findings);
+        judgeUnknownRapid(zmap, cutter, assembly, motion, block, findings);
     if (motion.kind == MotionKind::rapid && record.maxDepth > kNothingRemoved)
         findings.add(block, FindingKind::rapidCuts, record.maxDepth, unconfirmed);
     if (cutter.fluteLength() > 0 && record.maxDepth > cutter.fluteLength() + kNothingRemoved)
@@ -173,7 +175,7 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         if (findings != nullptr) {
             unconfirmed = isUnconfirmed(motion, setup, tools);
             judge(*contact, unconfirmed, block, *findings);
-            judge(zmap, *record, motion, *cutter, unconfirmed, block, *findings);
+            judge(zmap, *record, motion, *cutter, assemblies.of(*cutter), unconfirmed, block, *findings);
         }
         sum.add(*record);
     }
@@ -268,8 +270,8 @@ private:
             if (!recorded)
                 continue;
             if (m_findings != nullptr)
-                judge(m_zmap, m_records[k], motion, *cutter, isUnconfirmed(motion, m_setup, m_tools), block,
-                      *m_findings);
+                judge(m_zmap, m_records[k], motion, *cutter, m_assemblies.of(*cutter),
+                      isUnconfirmed(motion, m_setup, m_tools), block, *m_findings);
             m_sums[block - m_first].add(m_records[k]);
         }
         m_waiting.erase(m_waiting.begin(), m_waiting.begin() + static_cast<std::ptrdiff_t>(count));

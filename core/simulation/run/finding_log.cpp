@@ -118,16 +118,29 @@ void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unc
 
 void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unconfirmed, const Vec3& place) {
     const auto index = static_cast<std::uint32_t>(block);
-    if (keepLarger(index, kind, value, unconfirmed))
-        m_places.insert_or_assign({index, kind}, place);
+    if (!keepLarger(index, kind, value, unconfirmed))
+        return;
+    if (const std::size_t known = placeOf(index, kind); known < m_places.size())
+        m_places[known].at = place;
+    else
+        m_places.push_back({index, kind, place});
+}
+
+std::size_t FindingLog::placeOf(std::uint32_t block, FindingKind kind) const {
+    const auto first = std::ranges::lower_bound(m_places, block, {}, &Place::block);
+    const auto found = std::find_if(first, m_places.end(), [&](const Place& place) {
+        return place.block != block || place.kind == kind;
+    });
+    const bool exists = found != m_places.end() && found->block == block;
+    return exists ? static_cast<std::size_t>(found - m_places.begin()) : m_places.size();
 }
 
 std::vector<Argument> FindingLog::argumentsOf(const Finding& finding, const Program& program,
                                               const ToolChoice& tools) const {
     std::vector<Argument> arguments = {figures("{:.3f}", finding.value)};
-    if (const auto place = m_places.find({finding.block, finding.kind}); place != m_places.end())
+    if (const std::size_t place = placeOf(finding.block, finding.kind); place < m_places.size())
         for (int axis = 0; axis < 3; ++axis)
-            arguments.push_back(figures("{:.3f}", place->second[axis]));
+            arguments.push_back(figures("{:.3f}", m_places[place].at[axis]));
     if (finding.unconfirmed && kKindRows[static_cast<std::size_t>(finding.kind)].unconfirmed != nullptr) {
         const std::size_t last = program.blockMotions(finding.block).last - 1;
         arguments.push_back(std::to_string(tools.tool(program.motion(last).tool)));
@@ -141,7 +154,7 @@ bool FindingLog::foundAt(std::size_t block) const {
 }
 
 void FindingLog::truncate(std::size_t block) {
-    m_places.erase(m_places.lower_bound({static_cast<std::uint32_t>(block), FindingKind{}}), m_places.end());
+    m_places.erase(std::ranges::lower_bound(m_places, block, {}, &Place::block), m_places.end());
     const auto first = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);
     for (auto gone = first; gone != m_findings.end(); ++gone)
         --countOf(*gone);

@@ -4,9 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/base/diagnostic.h"
@@ -68,10 +66,17 @@ private:
         bool unconfirmed; ///< the tool
         double value;
     };
+    struct Place {
+        std::uint32_t block;
+        FindingKind kind;
+        Vec3 at;
+    };
     static constexpr std::size_t kKinds = 8;
 
     /// False if a larger value is kept.
     bool keepLarger(std::uint32_t block, FindingKind kind, double value, bool unconfirmed);
+    /// Its index in m_places; the number of places if it has none.
+    [[nodiscard]] std::size_t placeOf(std::uint32_t block, FindingKind kind) const;
     /// Values, place and tool for the text of a finding.
     [[nodiscard]] std::vector<Argument> argumentsOf(const Finding& finding, const Program& program,
                                                     const ToolChoice& tools) const;
@@ -80,7 +85,7 @@ private:
     }
 
     std::vector<Finding> m_findings;
-    std::map<std::pair<std::uint32_t, FindingKind>, Vec3> m_places; ///< by block, for kinds that have places
+    std::vector<Place> m_places; ///< of kinds that have places; blocks ascending
     /// Counts of m_findings by kind: with confirmed and with unconfirmed tools.
     std::array<std::array<std::size_t, kKinds>, 2> m_counts{};
 };

@@ -78,11 +78,29 @@ TEST(AssemblyFindings, OfRapidsArcsAndCyclesAreFoundToo) {
     EXPECT_THAT(described(rapid), ElementsAre("4 holder-collision 1.000", "4 rapid-cuts 6.000"));
 }
 
+TEST(AssemblyFindings, ARapidFromAnUnknownPositionThatBringsTheHolderIntoTheStockIsUnverified) {
+    const auto reported = [](const char* tool, const char* rapids) {
+        const auto findings = collisionsOf(std::string("T1 M6\n") + rapids, setupWithTool(1, tool));
+        std::vector<std::string> ids;
+        for (const Diagnostic& finding : findings)
+            ids.emplace_back(finding.id);
+        return ids;
+    };
+    const char* wide = "flat:d=4,so=5,holder=20x20";
+    for (const char* rapids : {"G0 X-6 Y15 Z-8\n", "G0 X-6 Y0\nG0 Y30\n"}) {
+        EXPECT_THAT(reported(wide, rapids), ElementsAre("rapid-unchecked")) << rapids;
+        EXPECT_THAT(reported("flat:d=4", rapids), ElementsAre()) << rapids;
+    }
+    EXPECT_THAT(reported(wide, "G0 X-6 Y15 Z-5\n"), ElementsAre()) << "the face is level with the top";
+    EXPECT_THAT(reported(wide, "G0 X-11 Y15 Z-8\n"), ElementsAre()) << "beside the stock";
+}
+
 TEST(AssemblyFindings, OfAnUnconfirmedToolAreWarnings) {
     proveout::Setup setup = *smallSetup();
     setup.tools.set(7, parseCutter("flat:d=4,l=3,sd=6,so=5,holder=9x20").value(),
                     ToolOrigin{ToolSource::assumed});
-    const auto findings = collisionsOf("T7 M6\nG0 X20 Y15 Z5\nG1 Z-6 F100\n", std::make_shared<proveout::Setup>(setup));
+    const auto findings =
+        collisionsOf("T7 M6\nG0 X20 Y15 Z5\nG1 Z-6 F100\n", std::make_shared<proveout::Setup>(setup));
     EXPECT_EQ(std::ranges::count_if(findings,
                                     [](const Diagnostic& finding) {
                                         return message(finding).find("with the unconfirmed tool T7.") !=
