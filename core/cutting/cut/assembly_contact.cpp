@@ -54,6 +54,7 @@ private:
         std::vector<std::size_t> tiles;
         tilesToLower(m_zmap, m_prepared.sweep, tiles);
         std::vector<std::pair<double, std::size_t>> heights;
+        heights.reserve(tiles.size());
         for (const std::size_t tile : tiles)
             heights.emplace_back(lowestOver(tile), tile);
         std::ranges::sort(heights);
