@@ -236,16 +236,16 @@ private:
 
     /// Finds the contacts of shanks and holders on the motions that wait, from index `first` on. Those before
     /// a motion must be cut first only if it has a contact without: on a lower map there is none that is not
-    /// there on a higher one.
+    /// there on a higher one. After a motion with a contact the next one probably has one too.
     bool checkFrom(std::size_t first) {
         for (std::size_t k = first; m_findings != nullptr && k < m_waiting.size(); ++k) {
-            const Cutter& cutter = *m_waiting[k].cutter;
-            auto contact = m_assemblies.of(cutter).contact(m_zmap, m_waiting[k].motion, m_stop);
+            if (!m_contacts.empty() && !cutBefore(k))
+                return false;
+            auto contact = contactOf(m_waiting[k]);
             if (contact && contact->any() && k > 0) {
-                if (!cutWaiting(k))
+                if (!cutBefore(k))
                     return false;
-                k = 0;
-                contact = m_assemblies.of(cutter).contact(m_zmap, m_waiting[k].motion, m_stop);
+                contact = contactOf(m_waiting[k]);
             }
             if (!contact)
                 return false;
@@ -254,6 +254,13 @@ private:
         }
         return true;
     }
+
+    [[nodiscard]] std::optional<AssemblyContact> contactOf(const CutterMotion& waiting) {
+        return m_assemblies.of(*waiting.cutter).contact(m_zmap, waiting.motion, m_stop);
+    }
+
+    /// Cuts those that wait before index `k`, which becomes that of the same motion.
+    bool cutBefore(std::size_t& k) { return cutWaiting(std::exchange(k, 0)); }
 
     /// Cuts the first `count` of those that wait.
     bool cutWaiting(std::size_t count) {
