@@ -2,6 +2,7 @@
 #include "ui/setup/tool_table_editor.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -135,6 +136,19 @@ private slots:
         profile->setText(QStringLiteral("0/0:3/0:3/9"));
         emit profile->editingFinished();
         QVERIFY(editor.tools().unconfirmedOrigin(1) == nullptr);
+    }
+
+    void aHolderDoesNotConfirmTheSizesOfTheCutter() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        editor.findChild<QDoubleSpinBox*>(QStringLiteral("tool-so"))->setValue(60);
+        auto* holder = editor.findChild<QLineEdit*>(QStringLiteral("tool-holder"));
+        holder->setText(QStringLiteral("40x30"));
+        emit holder->editingFinished();
+        QCOMPARE(editor.tools().find(1)->body().holder.size(), std::size_t{1});
+        const ToolOrigin* origin = editor.tools().unconfirmedOrigin(1);
+        QVERIFY(origin != nullptr);
+        QCOMPARE(origin->entered, (std::vector<std::string>{"so", "holder"}));
     }
 
     void anAddedToolIsAssumedUntilItsSizesAreEntered() {
