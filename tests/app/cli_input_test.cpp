@@ -162,6 +162,25 @@ TEST_F(CliInput, RapidThatCutsIsAFaultAndOutranksUnverified) {
     EXPECT_FALSE(json["unverified"].empty());
 }
 
+TEST_F(CliInput, ShankAndHolderInTheStockAreFaults) {
+    write("p.nc", "T1 M6\nG0 X20 Y15 Z5\nG1 Z-6 F100\nG0 Z5\nM30\n");
+    const std::string simulated = "simulate p.nc --stock 40x30x10 --tool 1=flat:d=4,l=7";
+    const auto holder = run(simulated + ",so=5,holder=20x30 --json");
+    EXPECT_EQ(holder.exitCode, 1) << holder.err;
+    EXPECT_TRUE(holder.reports("p.nc:3:1: fault: The holder collides with the stock, 1.000 mm deep at X",
+                               "holder-collision"))
+        << holder.err;
+    EXPECT_EQ(holder.json()["findings"][0]["id"], "holder-collision");
+    EXPECT_EQ(holder.json()["tools"][0]["cutter"], "flat:d=4,l=7,so=5,holder=20x30");
+    const auto shank = run(simulated + ",sd=6,so=6.5 --until 2");
+    EXPECT_EQ(shank.exitCode, 0) << shank.err;
+    const auto deep = run("simulate p.nc --stock 40x30x10 --tool 1=flat:d=4,l=5.5,sd=6");
+    EXPECT_EQ(deep.exitCode, 1);
+    EXPECT_TRUE(deep.reports("p.nc:3:1: fault: The shank collides with the stock, 0.500 mm deep at X",
+                             "shank-collision"))
+        << deep.err;
+}
+
 TEST_F(CliInput, UnwritableOutputIsReportedBeforeTheRun) {
     const auto done = simulate("T1 M6\nG0 X5 Y5 Z5\nZ-3\nM30\n", "--stl none/a.stl --json");
     EXPECT_EQ(done.exitCode, 3);
