@@ -7520,35 +7520,35 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Invalid holder segment</source>
-        <translation>Ungültiger Abschnitt der Aufnahme</translation>
+        <translation>Ungültiger Halterabschnitt</translation>
     </message>
     <message>
         <source>“{}” is not a segment of a holder; a cylinder is written as {}, a cone as {}.</source>
-        <translation>„{}“ ist kein Abschnitt einer Aufnahme; ein Zylinder wird als {} geschrieben, ein Kegel als {}.</translation>
+        <translation>„{}“ ist kein Abschnitt eines Halters; ein Zylinder wird als {} geschrieben, ein Kegel als {}.</translation>
     </message>
     <message>
         <source>Holder size out of range</source>
-        <translation>Maß der Aufnahme außerhalb</translation>
+        <translation>Haltermaß außerhalb der Grenzen</translation>
     </message>
     <message>
         <source>The segment {} of the holder has a diameter or height that is out of range, {} to {} mm.</source>
-        <translation>Der Abschnitt {} der Aufnahme hat einen Durchmesser oder eine Höhe außerhalb von {} bis {} mm.</translation>
+        <translation>Der Abschnitt {} des Halters hat einen Durchmesser oder eine Höhe außerhalb von {} bis {} mm.</translation>
     </message>
     <message>
         <source>Too many holder segments</source>
-        <translation>Zu viele Abschnitte der Aufnahme</translation>
+        <translation>Zu viele Halterabschnitte</translation>
     </message>
     <message>
         <source>The holder has more than {} segments.</source>
-        <translation>Die Aufnahme hat mehr als {} Abschnitte.</translation>
+        <translation>Der Halter hat mehr als {} Abschnitte.</translation>
     </message>
     <message>
         <source>Holder without stick-out</source>
-        <translation>Aufnahme ohne Auskraglänge</translation>
+        <translation>Halter ohne Auskraglänge</translation>
     </message>
     <message>
         <source>A holder needs the key so, the stick-out from the tip to the face of the holder.</source>
-        <translation>Eine Aufnahme braucht den Schlüssel so, die Auskraglänge von der Spitze bis zur Stirnfläche der Aufnahme.</translation>
+        <translation>Ein Halter braucht den Schlüssel so, die Auskraglänge von der Spitze bis zur Stirnfläche des Halters.</translation>
     </message>
     <message>
         <source>Stick-out too short</source>
@@ -7560,19 +7560,19 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Stick-out, from tip to holder (0: unknown)</source>
-        <translation>Auskraglänge, von der Spitze bis zur Aufnahme (0: unbekannt)</translation>
+        <translation>Auskraglänge, von der Spitze bis zum Halter (0: unbekannt)</translation>
     </message>
     <message>
         <source>Holder, DIAMETERxHEIGHT+… from its face upwards</source>
-        <translation>Aufnahme, DURCHMESSERxHÖHE+… von der Stirnfläche nach oben</translation>
+        <translation>Halter, DURCHMESSERxHÖHE+… von der Stirnfläche nach oben</translation>
     </message>
     <message>
         <source>Holder collision</source>
-        <translation>Kollision der Aufnahme</translation>
+        <translation>Halterkollision</translation>
     </message>
     <message>
         <source>The holder collides with the stock, {} mm deep at X{} Y{} Z{}.</source>
-        <translation>Die Aufnahme kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}.</translation>
+        <translation>Der Halter kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}.</translation>
     </message>
     <message>
         <source>Remove the stock there first, or choose a tool with more stick-out.</source>
@@ -7580,11 +7580,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The holder collides with the stock, {} mm deep at X{} Y{} Z{}, with the unconfirmed tool T{}.</source>
-        <translation>Die Aufnahme kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}, mit dem unbestätigten Werkzeug T{}.</translation>
+        <translation>Der Halter kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}, mit dem unbestätigten Werkzeug T{}.</translation>
     </message>
     <message>
         <source>Shank collision</source>
-        <translation>Kollision des Schafts</translation>
+        <translation>Schaftkollision</translation>
     </message>
     <message>
         <source>The shank collides with the stock, {} mm deep at X{} Y{} Z{}.</source>
