@@ -133,7 +133,7 @@ private:
                              .lastLine = lineOf(group.lastBlock),
                              .tool = group.tool,
                              .value = group.value,
-                             .unit = "mm",
+                             .unit = group.unit,
                              .place = endOf(group.worstBlock)});
         }
     }

@@ -12,8 +12,9 @@
 namespace proveout {
 namespace {
 
-const std::string kAcceptAll =
-    " --accept holder-not-given,fixtures-not-given,travel-not-given,machine-not-given,tool-limits-not-given ";
+const std::string kAcceptAll = " --accept "
+                               "holder-not-given,shank-not-given,fixtures-not-given,travel-not-given,machine-"
+                               "not-given,tool-limits-not-given ";
 
 class CliCheck : public CommandLine {
 protected:
@@ -101,6 +102,23 @@ TEST_F(CliCheck, WhatIsNotCheckedLeavesAProgramUnverified) {
     EXPECT_TRUE(std::ranges::any_of(
         entries, [](const nlohmann::json& one) { return one["id"] == "stock-not-given"; }));
     EXPECT_EQ(run("check " + file + kStock + kTool + "--accept nonsense").exitCode, 3);
+}
+
+TEST_F(CliCheck, AHolderThatIsGivenIsChecked) {
+    const std::string options = " --stock 40x30x10 --grid 0.25 --accept "
+                                "fixtures-not-given,travel-not-given,machine-not-given,tool-limits-not-given "
+                                "--tool 1=ball:d=4,l=9,sd=4,holder=20x30,so=";
+    const std::string file = write("part.nc", kHead + "G1 X20 Y15 Z-9 F800\n" + kEnd);
+    EXPECT_EQ(run("check " + file + options + "12 --json").json()["verdict"], "safe");
+    const nlohmann::json near = run("check " + file + options + "9 --json").json();
+    EXPECT_EQ(near["verdict"], "safe");
+    const std::string deep = write("deep.nc", kHead + "G1 X20 Y15 Z-9.6 F800\n" + kEnd);
+    const nlohmann::json hit = run("check " + deep + options + "9 --json").json();
+    EXPECT_EQ(hit["verdict"], "faults");
+    std::set<std::string> ids;
+    for (const nlohmann::json& finding : hit["findings"])
+        ids.insert(finding["id"].get<std::string>());
+    EXPECT_TRUE(ids.contains("holder-collision")) << hit;
 }
 
 TEST_F(CliCheck, RulesAreTurnedOffAndLimitsSet) {

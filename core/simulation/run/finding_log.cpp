@@ -25,6 +25,7 @@ namespace {
 struct KindRows {
     const FindingRow* confirmed;
     const FindingRow* unconfirmed;
+    const char* unit = "mm"; ///< of its value
 };
 
 /// In the order of FindingKind.
@@ -32,9 +33,9 @@ constexpr std::array kKindRows{
     KindRows{&cutting_finding::kRapidCuts, &cutting_finding::kRapidCutsUnconfirmed},
     KindRows{&cutting_finding::kDepthBeyondFlutes, &cutting_finding::kDepthBeyondFlutesUnconfirmed},
     KindRows{&cutting_finding::kRapidUncheckedStart, nullptr},
-    KindRows{&cutting_finding::kRapidUncheckedHeight, nullptr},
+    KindRows{&cutting_finding::kRapidUncheckedHeight, nullptr, ""},
     KindRows{&cutting_finding::kNeckInStock, &cutting_finding::kNeckInStockUnconfirmed},
-    KindRows{&cutting_finding::kOverhangLost, nullptr},
+    KindRows{&cutting_finding::kOverhangLost, nullptr, "mm³"},
     KindRows{&cutting_finding::kHolderCollision, &cutting_finding::kHolderCollisionUnconfirmed},
     KindRows{&cutting_finding::kShankCollision, &cutting_finding::kShankCollisionUnconfirmed},
 };
@@ -211,6 +212,7 @@ std::vector<FindingGroup> FindingLog::groups(const Program& program, const ToolC
         one.group.worst.where = {static_cast<int>(program.blockLine(one.group.firstBlock)), 1, 0};
         one.group.worstBlock = one.worst->block;
         one.group.value = one.worst->value;
+        one.group.unit = kKindRows[static_cast<std::size_t>(one.worst->kind)].unit;
         groups.push_back(std::move(one.group));
     }
     return groups;

@@ -34,7 +34,8 @@ struct FindingGroup {
     std::size_t worstBlock = 0;
     std::size_t count = 0; ///< of blocks
     int tool = 0;
-    double value = 0; ///< the largest
+    double value = 0;      ///< the largest
+    const char* unit = ""; ///< empty: it has no value
 };
 
 /// The findings of the simulation, block by block. Line numbers are read from the program when the sentences

@@ -31,18 +31,35 @@ bool stopsForTheOperator(const CheckScope& scope) {
     });
 }
 
-/// A z-map shows nothing below a head.
-bool undercuts(const CheckScope& scope) {
+/// Whether a tool that the program uses has a cutter with the property.
+template<class Property>
+bool anyCutter(const CheckScope& scope, const Property& property) {
     const std::vector<Program::ToolRun> runs = scope.program.toolRuns();
     return std::ranges::any_of(runs, [&](const Program::ToolRun& run) {
         const Cutter* cutter = scope.setup.tools.find(scope.tools.tool(run.tool));
-        return cutter != nullptr && cutter->head().has_value();
+        return cutter != nullptr && property(*cutter);
     });
+}
+
+/// A z-map shows nothing below a head.
+bool undercuts(const CheckScope& scope) {
+    return anyCutter(scope, [](const Cutter& cutter) { return cutter.head().has_value(); });
+}
+
+bool lacksHolder(const CheckScope& scope) {
+    return !scope.hasStock ||
+           anyCutter(scope, [](const Cutter& cutter) { return cutter.body().holder.empty(); });
+}
+
+bool lacksShank(const CheckScope& scope) {
+    return !scope.hasStock ||
+           anyCutter(scope, [](const Cutter& cutter) { return !cutter.body().shankGiven; });
 }
 
 constexpr std::array kRows{
     NotCheckedRow{"stock-not-given", "Everything that needs a stock", lacksStock},
-    NotCheckedRow{"holder-not-given", "Collisions of the tool holder", always},
+    NotCheckedRow{"holder-not-given", "Collisions of the tool holder", lacksHolder},
+    NotCheckedRow{"shank-not-given", "Collisions of the shank", lacksShank},
     NotCheckedRow{"fixtures-not-given", "Collisions with fixtures", always},
     NotCheckedRow{"travel-not-given", "Travel limits of the machine", always},
     NotCheckedRow{"machine-not-given", "Maximum feed rate of the machine", lacksMachine},
