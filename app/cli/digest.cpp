@@ -2,10 +2,10 @@
 #include "app/cli/digest.h"
 
 #include <array>
+#include <cstdint>
 #include <fmt/format.h>
 #include <fstream>
-#include <memory>
-#include <openssl/evp.h>
+#include <nettle/sha2.h>
 #include <vector>
 
 namespace proveout::cli {
@@ -16,22 +16,23 @@ std::optional<std::string> sha256(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file, error))
         return std::nullopt;
     std::ifstream in(file, std::ios::binary);
-    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> digest(EVP_MD_CTX_new(), EVP_MD_CTX_free);
-    if (!in || digest == nullptr || EVP_DigestInit_ex(digest.get(), EVP_sha256(), nullptr) != 1)
+    if (!in)
         return std::nullopt;
+    sha256_ctx digest;
+    sha256_init(&digest);
     std::vector<char> part(kPart);
     while (in) {
         in.read(part.data(), static_cast<std::streamsize>(part.size()));
-        if (EVP_DigestUpdate(digest.get(), part.data(), static_cast<std::size_t>(in.gcount())) != 1)
-            return std::nullopt;
+        sha256_update(&digest, static_cast<std::size_t>(in.gcount()),
+                      reinterpret_cast<const std::uint8_t*>(part.data()));
     }
-    std::array<unsigned char, EVP_MAX_MD_SIZE> value{};
-    unsigned length = 0;
-    if (!in.eof() || EVP_DigestFinal_ex(digest.get(), value.data(), &length) != 1)
+    if (!in.eof())
         return std::nullopt;
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> value{};
+    sha256_digest(&digest, value.size(), value.data());
     std::string text;
-    for (unsigned k = 0; k < length; ++k)
-        text += fmt::format("{:02x}", value[k]);
+    for (const std::uint8_t byte : value)
+        text += fmt::format("{:02x}", byte);
     return text;
 }
 

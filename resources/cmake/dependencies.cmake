@@ -30,7 +30,8 @@ proveout_find(zstd LEAST 1.5 TARGET zstd::libzstd_shared PACKAGE libzstd-dev
   ALSO zstd::libzstd zstd::libzstd_static CONFIGS zstd MODULES libzstd HEADER zstd.h LIBRARIES zstd
   VERSION_MACRO ZSTD_VERSION)
 find_package(LibArchive 3.6 REQUIRED) # its module comes with CMake, and searches plainly
-find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
+proveout_find(nettle LEAST 3.8 TARGET nettle::nettle PACKAGE nettle-dev
+  MODULES nettle HEADER nettle/sha2.h LIBRARIES nettle VERSION_MACRO NETTLE_VERSION VERSION_HEADER nettle/version.h)
 
 if(PROVEOUT_UI)
   find_package(Qt6 ${PROVEOUT_LEAST_QT} REQUIRED

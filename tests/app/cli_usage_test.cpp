@@ -30,7 +30,7 @@ TEST_F(CliUsage, MistakesPrintTheUsageOnStderrAndExitWith3) {
     const std::string simulate = "simulate a.nc" + kStock + kTool;
     for (const std::string& arguments : {std::string(),
                                          std::string("frobnicate"),
-                                         std::string("check a.nc"),
+                                         std::string("prove a.nc"),
                                          std::string("simulate --frobnicate"),
                                          simulate + "--region 8x",
                                          simulate + "--region 1",
