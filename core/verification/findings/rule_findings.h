@@ -78,7 +78,7 @@ inline constexpr FindingRow kLoosePiece{Severity::fault,
                                         false,
                                         "loose-piece",
                                         "Piece comes loose",
-                                        "A piece of {} mm³ is no longer joined to the rest of the stock.",
+                                        "A piece of {} mm³ has come loose from the rest of the stock.",
                                         "Leave tabs, or turn this rule off if the piece is held."};
 inline constexpr FindingRow kAirCutting{
     Severity::note,
