@@ -22,6 +22,7 @@
 #include "app/cli/thread_limit.h"
 #include "core/base/atomic_file.h"
 #include "core/verification/findings/command_line_findings.h"
+#include "core/verification/findings/exit_effect.h"
 
 namespace proveout::cli {
 
@@ -39,12 +40,8 @@ struct CheckCommand {
     bool json = false;
 };
 
-/// The severer of two exit codes: 3 before 1 before 2 before 0.
 ExitCode worseOf(ExitCode one, ExitCode other) {
-    const auto rank = [](ExitCode code) {
-        return code == ExitCode::faults ? 2.5 : static_cast<double>(code);
-    };
-    return rank(one) < rank(other) ? other : one;
+    return static_cast<ExitCode>(worse(static_cast<ExitEffect>(one), static_cast<ExitEffect>(other)));
 }
 
 class CheckRun {

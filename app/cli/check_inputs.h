@@ -11,6 +11,7 @@ namespace proveout::cli {
 /// names end as those of programs and jobs do, sorted by name. Links to folders are not followed.
 [[nodiscard]] std::vector<std::filesystem::path> filesToCheck(const std::vector<std::string>& inputs);
 
+/// By its name.
 [[nodiscard]] bool isJob(const std::filesystem::path& file);
 
 } // namespace proveout::cli
