@@ -113,7 +113,7 @@ private:
         checked["settings"] = m_command.settings.text();
         const std::scoped_lock lock(m_mutex);
         m_results.add(checked);
-        for (const CheckFinding& finding : result.findings)
+        for (const CheckFinding& finding : result.report.findings)
             fmt::print(stderr, "{}\n", oneLine(finding.diagnostic));
         note(checked);
     }

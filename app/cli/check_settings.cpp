@@ -59,10 +59,10 @@ Result<void> setRule(const std::string& item, CheckOptions& options) {
         return failure(kRuleUnknown, {id});
     const std::string value = item.substr(equals + 1);
     if (colon < equals)
-        return setLimit(item.substr(colon + 1, equals - colon - 1), value, options.limits);
+        return setLimit(item.substr(colon + 1, equals - colon - 1), value, options.rules.limits);
     if (value != "off")
         return failure(kRuleForm, {item});
-    options.off.insert(id);
+    options.rules.off.insert(id);
     return {};
 }
 
@@ -86,7 +86,7 @@ Result<void> CheckSettings::read(CheckOptions& options) const {
         const auto isIt = [&](const NotCheckedRow& row) { return id == row.id; };
         if (std::ranges::none_of(notCheckedRows(), isIt))
             return aboutOption("--accept", failure(kAcceptUnknown, {id}).value());
-        options.accepted.insert(id);
+        options.rules.accepted.insert(id);
     }
     return {};
 }

@@ -47,7 +47,7 @@ const std::map<std::string, std::vector<std::string>> kRoomsWithin{
     {"core/cutting", {"profiles", "rows", "kernels", "cut"}},
     {"core/decimation", {"regions", "lattice", "lee", "certified", "surface", "solid"}},
     {"core/simulation", {"setup", "time", "run", "records", "thread"}},
-    {"core/verification", {"findings", "rules", "verdict"}},
+    {"core/verification", {"findings", "rules", "verdict", "check"}},
 };
 
 /// The rooms that panels share, lowest first: each may include those before it.

@@ -20,6 +20,7 @@
 #include "core/simulation/thread/condition_findings.h"
 #include "core/simulation/thread/run_findings.h"
 #include "core/study/study_findings.h"
+#include "core/verification/findings/check_findings.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/rule_findings.h"
 #include "core/verification/findings/window_findings.h"
@@ -62,6 +63,7 @@ constexpr std::array kTables{
     FindingTable{FindingSource::simulation, cutting_finding::kCuttingRows, false},
     FindingTable{FindingSource::simulation, tool_finding::kToolRows, false},
     FindingTable{FindingSource::rules, rule_finding::kRuleRows, false},
+    FindingTable{FindingSource::rules, check_finding::kCheckRows, true},
     FindingTable{FindingSource::simulation, detail_finding::kDetailRows, true},
     FindingTable{FindingSource::simulation, run_finding::kRunRows, true},
     FindingTable{FindingSource::breakpoints, condition_finding::kConditionRows, true},

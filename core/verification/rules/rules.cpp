@@ -70,10 +70,10 @@ const char* unitOf(const FindingRow& row) {
 }
 
 std::vector<RuleFinding> judge(const CheckedRun& run, const RuleLimits& limits,
-                               const std::set<std::string>& off) {
+                               const std::set<std::string>& off, const WorkContext& context) {
     RuleFindings findings;
     for (const Rule& rule : kRules)
-        if (!off.contains(rule.id()))
+        if (!context.stopped() && !off.contains(rule.id()))
             rule.judge(run, limits, findings);
     return findings.all();
 }

@@ -13,6 +13,7 @@
 
 #include "core/base/field.h"
 #include "core/base/finding_row.h"
+#include "core/base/work_context.h"
 #include "core/verification/rules/checked_run.h"
 
 namespace proveout {
@@ -99,9 +100,11 @@ struct Rule {
 /// The unit of the values of a finding; empty if it is not of a rule.
 [[nodiscard]] const char* unitOf(const FindingRow& row);
 
-/// Judges a run by all rules whose ids are not in `off`, in the order of the table.
+/// Judges a run by all rules whose ids are not in `off`, in the order of the table; stopped between two
+/// rules, by those before it.
 [[nodiscard]] std::vector<RuleFinding> judge(const CheckedRun& run, const RuleLimits& limits,
-                                             const std::set<std::string>& off);
+                                             const std::set<std::string>& off,
+                                             const WorkContext& context = {});
 
 /// The sentence of a finding, at the line of its first block.
 [[nodiscard]] Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program);

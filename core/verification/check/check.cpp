@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/verification/check/check.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/memory.h"
+#include "core/decimation/regions/region_decimator.h"
+#include "core/simulation/run/cutting_findings.h"
+#include "core/simulation/run/simulation.h"
+#include "core/simulation/setup/setup_memory.h"
+#include "core/simulation/time/machine_time.h"
+#include "core/verification/findings/check_findings.h"
+
+namespace proveout {
+
+namespace {
+
+/// Progress before and after the cutting, which takes nearly all of the time.
+constexpr double kCut = 0.9;
+constexpr double kTimed = 0.95;
+
+DecimationParameters withoutDecimation(const Setup& setup) {
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::none;
+    parameters.period = 0;
+    parameters.regionCells = defaultRegion(parameters.method, gridPoints(setup.stock, setup.spacing));
+    return parameters;
+}
+
+/// The check of one program.
+class Check {
+public:
+    Check(const CheckSubject& subject, const CheckRules& rules, const WorkContext& context)
+        : m_subject(subject), m_program(*subject.program), m_rules(rules), m_context(context) {}
+
+    Result<std::shared_ptr<const CheckReport>> run() {
+        add(m_subject.warnings);
+        add(m_program.diagnostics());
+        if (m_subject.hasStock) {
+            if (auto done = simulate(); !done)
+                return tl::unexpected(std::move(done.error()));
+        } else {
+            m_tools = ToolChoice(m_program, *m_subject.setup);
+        }
+        if (m_context.stopped())
+            return nullptr;
+        m_report.notChecked = notChecked(
+            {m_program, *m_subject.setup, m_tools, m_subject.hasStock, m_subject.machine.has_value()},
+            m_rules.accepted);
+        m_report.programUnverified = m_program.unverified() || m_program.motionCount() == 0;
+        m_context.report(1);
+        return std::make_shared<const CheckReport>(std::move(m_report));
+    }
+
+private:
+    void add(const Diagnostics& diagnostics) {
+        for (const Diagnostic& diagnostic : diagnostics)
+            add(CheckFinding{.diagnostic = diagnostic});
+    }
+    void add(CheckFinding finding) {
+        if (finding.lastLine == 0)
+            finding.lastLine = finding.diagnostic.where.line;
+        m_report.findings.push_back(std::move(finding));
+    }
+
+    Result<void> simulate() {
+        auto made = Simulation::create(m_subject.program, m_subject.setup,
+                                       withoutDecimation(*m_subject.setup), m_context.quiet());
+        if (!made)
+            return tl::unexpected(std::move(made.error()));
+        Simulation& simulation = **made;
+        simulation.setCheckpointBudget(0);
+        simulation.seek(m_program.blockCount(), m_context.part(0, kCut));
+        if (m_context.stopped())
+            return {};
+        const auto times = machineTimes(m_subject.program, m_subject.machine.value_or(Machine()),
+                                        m_context.part(kCut, kTimed));
+        if (times)
+            judgeRun(simulation, *times);
+        return {};
+    }
+
+    void judgeRun(const Simulation& simulation, const MachineTimes& times) {
+        const Frame frame = simulation.frame();
+        m_tools = simulation.tools();
+        addAboutSetup(frame.findings);
+        addOfBlocks(simulation.findings());
+        const CheckedRun run{.program = m_program,
+                             .setup = *m_subject.setup,
+                             .tools = m_tools,
+                             .machine = m_subject.machine ? &*m_subject.machine : nullptr,
+                             .times = times,
+                             .rows = simulation.rows(),
+                             .end = frame.zmap,
+                             .removedMm3 = frame.removedMm3};
+        for (const RuleFinding& finding : judge(run, m_rules.limits, m_rules.off, m_context.part(kTimed, 1)))
+            addOfRule(finding);
+    }
+
+    /// What is known before any block; findings of blocks are added with more about them.
+    void addAboutSetup(const Diagnostics& diagnostics) {
+        for (const Diagnostic& diagnostic : diagnostics) {
+            const auto isIt = [&](const FindingRow* row) { return hasIdOf(diagnostic, *row); };
+            if (std::ranges::none_of(cutting_finding::kCuttingRows, isIt))
+                add(CheckFinding{.diagnostic = diagnostic});
+        }
+    }
+
+    void addOfBlocks(const FindingLog& log) {
+        for (FindingGroup& group : log.groups(m_program, m_tools)) {
+            if (m_rules.off.contains(group.worst.id))
+                continue;
+            add(CheckFinding{.diagnostic = std::move(group.worst),
+                             .block = group.firstBlock + 1,
+                             .count = group.count,
+                             .lastLine = lineOf(group.lastBlock),
+                             .tool = group.tool,
+                             .value = group.value,
+                             .unit = group.unit,
+                             .place = endOf(group.worstBlock)});
+        }
+    }
+
+    void addOfRule(const RuleFinding& finding) {
+        CheckFinding out{.diagnostic = diagnosticOf(finding, m_program),
+                         .count = finding.count,
+                         .tool = finding.tool,
+                         .value = finding.value,
+                         .limit = finding.limit,
+                         .unit = unitOf(*finding.row),
+                         .place = finding.place};
+        if (finding.block) {
+            out.block = *finding.block + 1;
+            out.lastLine = lineOf(finding.lastBlock);
+            out.place = endOf(finding.worstBlock);
+        }
+        add(std::move(out));
+    }
+
+    [[nodiscard]] int lineOf(std::size_t block) const { return static_cast<int>(m_program.blockLine(block)); }
+    [[nodiscard]] Vec3 endOf(std::size_t block) const {
+        return m_program.endOf(m_program.blockMotions(block).last - 1);
+    }
+
+    const CheckSubject& m_subject;
+    const Program& m_program;
+    const CheckRules& m_rules;
+    const WorkContext& m_context;
+    ToolChoice m_tools;
+    CheckReport m_report;
+};
+
+} // namespace
+
+Result<double> checkBytes(const CheckSubject& subject) {
+    if (!subject.hasStock)
+        return 0;
+    const auto grid = makeGrid(subject.setup->stock, subject.setup->spacing);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    constexpr double kOfBlock = sizeof(BlockStatistics) + MachineTimes::kBytesPerBlock;
+    return memoryForecast(*subject.setup, *grid, withoutDecimation(*subject.setup)).most +
+           kOfBlock * static_cast<double>(subject.program->blockCount());
+}
+
+Result<std::shared_ptr<const CheckReport>> check(const CheckSubject& subject, const CheckRules& rules,
+                                                 std::uint64_t memoryBytes, const WorkContext& context) {
+    const auto needed = checkBytes(subject);
+    if (!needed)
+        return tl::unexpected(needed.error());
+    if (*needed > static_cast<double>(memoryBytes))
+        return failure(check_finding::kCheckNeedsMemory,
+                       {readableBytes(*needed), readableBytes(static_cast<double>(memoryBytes))});
+    return Check(subject, rules, context).run();
+}
+
+} // namespace proveout

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "core/base/geometry.h"
+#include "core/verification/verdict/verdict.h"
+
+namespace proveout {
+
+/// A finding with all that lists and machine-readable reports need. Value type.
+struct CheckFinding {
+    Diagnostic diagnostic{}; ///< at its first line; without a file it is about the program
+    std::size_t block = 0;   ///< the first, 1-based; 0: none
+    std::size_t count = 1;   ///< of blocks
+    int lastLine = 0;        ///< that of the last block; 0: none
+    int tool = 0;            ///< of its blocks
+    double value = 0;        ///< the worst
+    double limit = 0;
+    const char* unit = ""; ///< of value and limit; empty: there is no value
+    std::optional<Vec3> place = {};
+
+    friend bool operator==(const CheckFinding&, const CheckFinding&) = default;
+};
+
+/// The result of a check. Immutable once made, any thread.
+struct CheckReport {
+    std::vector<CheckFinding> findings;
+    std::vector<NotChecked> notChecked; ///< what concerns the program
+    /// The program itself is unverified, or has no motion.
+    bool programUnverified = false;
+
+    /// By findings and notChecked.
+    [[nodiscard]] Verdict verdict() const;
+    /// The number of findings that are faults.
+    [[nodiscard]] std::size_t faults() const;
+    /// The same result with these ids accepted and no others.
+    [[nodiscard]] CheckReport accepting(const std::set<std::string>& accepted) const;
+};
+
+} // namespace proveout
