@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/nc/run/interpreter.h"
+#include "tests/core/nc/program_invariants.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -115,6 +116,21 @@ TEST(LineOrder, OfALineThatNeverEndsIsTheWholeProgram) {
                                 "M30\n",     // 5
                                 fanuc());
     EXPECT_THAT(order.after, ElementsAre(1, 0, 0, 1, 1, 1));
+}
+
+TEST(LineOrder, OfACallThatTheLimitOfMotionsStopsIsTheWholeProgram) {
+    const NcText text("M98 P100 L2\n" // 1
+                      "G0 X2.\n"      // 2
+                      "M30\n"         // 3
+                      "O100\n"        // 4
+                      "G0 X5.\n"      // 5
+                      "G0 X6.\n"      // 6
+                      "M99\n");       // 7
+    InterpretOptions options = fanuc();
+    options.maxMotions = 1;
+    const auto program = interpret(text, options);
+    EXPECT_EQ(program->blocksAfterLine(1), program->blockCount());
+    EXPECT_EQ(test::brokenPromise(text, options, *program), "");
 }
 
 } // namespace

@@ -130,7 +130,8 @@ std::string brokenByBlocks(const NcText& text, const Program& program) {
         const std::size_t passedBefore = passed;
         while (passed < program.blockCount() && program.blockLine(passed) <= line)
             ++passed;
-        if (before != passedBefore || after != passed)
+        // A call that no line follows, as when the limit of motions stops a subprogram, lasts to the end.
+        if (before != passedBefore || (after != passed && after != program.blockCount()))
             return "the blocks before or after line " + std::to_string(line) + " are others";
     }
     return program.firstDifference(program) == program.blockCount() ? "" : "a program differs from itself";
