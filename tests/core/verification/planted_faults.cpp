@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/verification/planted_faults.h"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace proveout {
+
+namespace {
+
+constexpr double kSpacing = 0.5;
+constexpr int kThickness = 20;
+constexpr int kHeadWidth = 5; // of T3
+constexpr int kLanes = 4;     // of the cuts without a fault, at Y12, Y28, …
+constexpr const char* kToFault = "G0 X[20] Y[92] Z[5]";
+
+// ---- cuts without a fault, each in a lane of its own ----
+
+void writeSlot(TwinProgram& out, int y) {
+    out.line(fmt::format("G0 X[10] Y[{}] Z[5]", y));
+    out.line(fmt::format("G1 Z[-{}] F[400]", out.among(2, 4)));
+    out.line(fmt::format("X[{}] F[800]", out.among(100, 130)));
+    out.line("G0 Z[5]");
+}
+
+void writeArc(TwinProgram& out, int y) {
+    out.line(fmt::format("G0 X[30] Y[{}] Z[5]", y));
+    out.line("G1 Z[-2] F[400]");
+    out.line(fmt::format("G{} X[38] Y[{}] I[4] J[0] F[600]", out.among(2, 3), y));
+    out.line("G1 X[60]");
+    out.line("G0 Z[5]");
+}
+
+void writeHelix(TwinProgram& out, int y) {
+    out.line(fmt::format("G0 X[33] Y[{}] Z[5]", y));
+    out.line("G1 Z[0] F[400]");
+    out.line(fmt::format("G3 X[33] Y[{}] I[-3] J[0] Z[-2]", y));
+    out.line(fmt::format("G3 X[33] Y[{}] I[-3] J[0]", y));
+    out.line("G0 Z[5]");
+}
+
+void takeTool(TwinProgram& out, int tool) {
+    out.line(fmt::format("T{} M6", tool));
+    out.line(fmt::format("S{} M3", out.among(8, 60) * 100));
+    out.line(fmt::format("G0 G43 H{} Z[50]", tool));
+}
+
+void changeTo(TwinProgram& out, int tool) {
+    out.line("G0 Z[50]");
+    out.line("M5");
+    takeTool(out, tool);
+}
+
+void writeHoles(TwinProgram& out, int y) {
+    changeTo(out, 2);
+    out.line(fmt::format("G0 X[20] Y[{}] Z[5]", y));
+    out.line(out.either() ? "G98 G81 Z[-6] R[2] F[300]" : "G99 G83 Z[-9] R[1] Q[2] F[300]");
+    out.line("X[40]");
+    out.line("X[60]");
+    out.line("G80");
+    changeTo(out, 1);
+}
+
+constexpr std::array kCuts{writeSlot, writeArc, writeHelix, writeHoles};
+
+// ---- faults, in the lane at Y92 ----
+
+void plantRapidLine(Planting& p) {
+    const int depth = p.program.among(1, 8);
+    p.program.line(kToFault);
+    p.program.line(fmt::format("G1 Z[-{}] F[200]", depth));
+    p.program.line("X[40]");
+    p.program.mark();
+    p.program.faulty("G0 X[60]");
+    p.program.clean("G1 X[60]");
+    p.program.line("G1 X[70]");
+    p.value = depth;
+}
+
+void plantRapidPlunge(Planting& p) {
+    const int depth = p.program.among(1, 8);
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("G0 Z[-{}]", depth));
+    p.program.clean(fmt::format("G1 Z[-{}] F[200]", depth));
+    p.program.line("G1 X[40] F[200]");
+    p.value = depth;
+}
+
+void plantRapidOfCycle(Planting& p) {
+    const int depth = p.program.among(1, 6);
+    changeTo(p.program, 2);
+    p.program.line(kToFault);
+    const char* cycle = p.program.either() ? "G98 G81" : "G98 G83 Q[3]";
+    p.program.mark();
+    p.program.faulty(fmt::format("{} Z[-10] R[-{}] F[300]", cycle, depth));
+    p.program.clean(fmt::format("{} Z[-10] R[2] F[300]", cycle));
+    p.program.line("G80");
+    changeTo(p.program, 1);
+    p.value = depth;
+}
+
+/// The spindle is turned off or back before a cut, and forward again after it.
+void plantSpindle(Planting& p, const char* code) {
+    const int depth = p.program.among(1, 8);
+    p.program.line(kToFault);
+    p.program.faulty(code);
+    p.program.mark();
+    p.program.line(fmt::format("G1 Z[-{}] F[200]", depth));
+    p.program.line("X[50]");
+    p.program.line("G0 Z[5]");
+    p.program.faulty("M3");
+    p.value = depth;
+}
+
+void plantStoppedSpindle(Planting& p) {
+    plantSpindle(p, "M5");
+}
+
+void plantReversedSpindle(Planting& p) {
+    plantSpindle(p, "M4");
+}
+
+void plantFeed(Planting& p) {
+    const int feed = p.program.among(31, 60) * 100;
+    p.machine = Machine{.largestFeed = 3000};
+    p.program.line(kToFault);
+    p.program.line("G1 Z[-2] F[200]");
+    p.program.mark();
+    p.program.faulty(fmt::format("X[60] F[{}]", feed));
+    p.program.clean("X[60] F[3000]");
+    p.value = feed;
+}
+
+void plantSidewaysDrill(Planting& p) {
+    const int depth = p.program.among(2, 8);
+    const bool arc = p.program.either();
+    changeTo(p.program, 2);
+    p.program.line(kToFault);
+    p.program.line(fmt::format("G1 Z[-{}] F[200]", depth));
+    p.program.mark();
+    p.program.faulty(arc ? "G3 X[20] Y[92] I[-3] J[0]" : "X[30]");
+    p.program.line("G0 Z[5]");
+    changeTo(p.program, 1);
+    p.value = depth;
+}
+
+void plantBelowStock(Planting& p) {
+    const int below = p.program.among(4, 9);
+    const bool cycle = p.program.either();
+    p.flutes = 40;
+    p.stickOut = 60;
+    if (cycle)
+        changeTo(p.program, 2);
+    p.program.line(kToFault);
+    p.program.mark();
+    const char* words = cycle ? "G98 G83 R[2] Q[5] Z[-{}] F[300]" : "G1 Z[-{}] F[200]";
+    p.program.faulty(fmt::format(fmt::runtime(words), kThickness + below));
+    p.program.clean(fmt::format(fmt::runtime(words), kThickness + 2));
+    if (cycle) {
+        p.program.line("G80");
+        changeTo(p.program, 1);
+    }
+    p.value = below;
+}
+
+void plantBeyondFlutes(Planting& p) {
+    p.flutes = p.program.among(5, 9);
+    const int depth = p.flutes + p.program.among(1, 4);
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", depth));
+    p.program.clean(fmt::format("G1 Z[-{}] F[200]", p.flutes));
+    p.program.line("X[50]");
+    p.value = depth;
+}
+
+void plantHolder(Planting& p) {
+    p.stickOut = p.program.among(10, 16);
+    p.flutes = p.stickOut;
+    const int overlap = p.program.among(1, 3);
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", p.stickOut + overlap));
+    p.program.clean(fmt::format("G1 Z[-{}] F[200]", p.stickOut - 1));
+    p.value = overlap;
+    p.alsoFound = {"depth-beyond-flutes"};
+}
+
+/// A pocket in steps of 2 mm, whose edge the holder reaches in the last step.
+void plantHolderAtEdge(Planting& p) {
+    p.stickOut = p.program.among(5, 11);
+    p.flutes = p.stickOut;
+    p.holder = p.diameter + 12;
+    p.program.line(kToFault);
+    int depth = 0;
+    const auto step = [&](bool both) {
+        depth += 2;
+        for (const std::string& words : {fmt::format("G1 Z[-{}] F[200]", depth), std::string("Y[96]"),
+                                         std::string("X[24]"), std::string("Y[92]"), std::string("X[20]")})
+            both ? p.program.line(words) : p.program.faulty(words);
+    };
+    while (depth + 2 <= p.stickOut)
+        step(true);
+    p.program.mark();
+    step(false);
+    p.value = depth - p.stickOut;
+}
+
+void plantShank(Planting& p) {
+    p.flutes = p.program.among(6, 12);
+    p.shank = p.diameter + 4;
+    const int overlap = p.program.among(1, 3);
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", p.flutes + overlap));
+    p.program.clean(fmt::format("G1 Z[-{}] F[200]", p.flutes));
+    p.value = overlap;
+    p.alsoFound = {"depth-beyond-flutes"};
+}
+
+/// A square is cut around; in the twin, a bridge is left.
+void plantLoosePiece(Planting& p) {
+    p.shape = "flat";
+    p.flutes = 40;
+    p.stickOut = 60;
+    // No point of the grid is on the edge of the cut.
+    p.program.line("G0 X[20.25] Y[80.25] Z[5]");
+    p.program.line("G1 Z[-20.5] F[200]");
+    p.program.line("X[44.25]");
+    p.program.line("Y[104.25]");
+    p.program.line("X[20.25]");
+    p.program.faulty("Y[80.25]");
+    p.program.clean(fmt::format("Y[{}.25]", 80 + p.diameter + 6));
+    p.value = std::pow(24 - p.diameter, 2) * kThickness;
+}
+
+void plantNothingCut(Planting& p) {
+    p.program.faulty("G0 X[320] Y[92] Z[5]");
+    p.program.clean(kToFault);
+    p.program.line("G1 Z[-3] F[200]");
+    p.program.faulty("X[400]");
+    p.program.clean("X[120]");
+    p.alsoFound = {"never-cuts"};
+}
+
+void plantHardlyCuts(Planting& p) {
+    p.program.line(kToFault);
+    p.program.faulty("G1 Z[-0.05] F[200]");
+    p.program.clean("G1 Z[-3] F[200]");
+    p.program.clean("X[120]");
+}
+
+void plantAirCutting(Planting& p) {
+    const int speed = p.program.among(2, 5) * 100;
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("G1 X[120] F[{}]", speed));
+    p.program.clean("G0 X[120]");
+    p.program.line("G1 Z[-2] F[300]");
+    p.value = 100 * 60.0 / speed;
+}
+
+void plantMissingFeed(Planting& p) {
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty("G1 Z[-3]");
+    p.program.clean("G1 Z[-3] F[300]");
+    p.program.line("X[120] F[300]");
+}
+
+void plantUnknownCode(Planting& p) {
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(p.program.either() ? "G12.9" : "G38.9");
+}
+
+void plantRotaryWord(Planting& p) {
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(p.program.either() ? "G0 A90." : "G0 B-45.");
+}
+
+void plantArcEnd(Planting& p) {
+    p.program.line(kToFault);
+    p.program.line("G1 Z[-2] F[200]");
+    p.program.mark();
+    p.program.faulty("G2 X[33] Y[92] I[4] J[0]");
+    p.program.clean("G2 X[28] Y[92] I[4] J[0]");
+    p.program.line("G0 Z[5]");
+    p.alsoFound = {"rapid-cuts"}; // from where the arc began
+}
+
+/// The head of the keyseat cutter leaves room for its neck only near the top.
+void plantNeck(Planting& p) {
+    const int depth = p.program.among(7, 12);
+    changeTo(p.program, 3);
+    p.program.line("G0 X[-20] Y[92.25] Z[5]");
+    p.program.faulty(fmt::format("G0 Z[-{}]", depth));
+    p.program.clean("G0 Z[-4]");
+    p.program.mark();
+    p.program.line("G1 X[30] F[900]");
+    p.program.line("X[-20]");
+    changeTo(p.program, 1);
+    p.value = depth - kHeadWidth;
+    p.alsoFound = {"overhang-lost"};
+}
+
+void plantMissingTool(Planting& p) {
+    p.program.line("G0 Z[50]");
+    p.program.faulty("M5");
+    p.program.faulty("T7 M6");
+    p.program.faulty("S2000 M3");
+    p.program.faulty("G43 H7");
+    p.program.mark(); // the first motion of the tool
+    p.program.line(kToFault);
+    p.program.line("G1 Z[-2] F[300]");
+    p.program.line("X[40]");
+    p.program.line("G0 Z[50]");
+    p.program.faulty("M5");
+    p.program.faulty("T1 M6");
+    p.program.faulty("S2000 M3");
+    p.program.faulty("G43 H1");
+    p.alsoFound = {"offset-unknown"};
+}
+
+/// The frame is as large as the stock, in a unit that the program does not state.
+void plantWrongUnit(Planting& p, bool tooSmall) {
+    p.program.writeIn(tooSmall);
+    p.program.faulty(tooSmall ? "G21" : "G20");
+    p.program.clean(tooSmall ? "G20" : "G21");
+    p.program.line("G0 X[10] Y[8] Z[5]");
+    p.program.line("G1 Z[-2] F[300]");
+    p.program.line("X[130]");
+    p.program.line("Y[102]");
+    p.program.line("X[10]");
+    p.program.line("Y[8]");
+}
+
+void plantInchesAsMillimetres(Planting& p) {
+    plantWrongUnit(p, true);
+    p.alsoFound = {"nothing-cut"};
+}
+
+void plantMillimetresAsInches(Planting& p) {
+    plantWrongUnit(p, false);
+    p.alsoFound = {"nothing-cut", "never-cuts"};
+}
+
+// ---- the rows ----
+
+constexpr std::array kKinds{
+    PlantedKind{"rapid along a line", "rapid-cuts", plantRapidLine},
+    PlantedKind{"rapid plunge", "rapid-cuts", plantRapidPlunge},
+    PlantedKind{"rapid of a cycle", "rapid-cuts", plantRapidOfCycle},
+    PlantedKind{"spindle stopped", "spindle-stopped", plantStoppedSpindle},
+    PlantedKind{"spindle reversed", "spindle-reversed", plantReversedSpindle},
+    PlantedKind{"feed of the machine", "feed-limit", plantFeed},
+    PlantedKind{"drill moves sideways", "plunge-not-allowed", plantSidewaysDrill},
+    PlantedKind{"below the stock", "table-collision", plantBelowStock},
+    PlantedKind{"beyond the flutes", "depth-beyond-flutes", plantBeyondFlutes},
+    PlantedKind{"holder, plunge", "holder-collision", plantHolder},
+    PlantedKind{"holder, edge of a pocket", "holder-collision", plantHolderAtEdge},
+    PlantedKind{"shank", "shank-collision", plantShank},
+    PlantedKind{"neck", "neck-in-stock", plantNeck},
+    PlantedKind{"tool not in the table", "tool-undefined", plantMissingTool},
+    PlantedKind{"inches read as mm", "units-suspect", plantInchesAsMillimetres, true},
+    PlantedKind{"mm read as inches", "units-suspect", plantMillimetresAsInches, true},
+    PlantedKind{"loose piece", "loose-piece", plantLoosePiece},
+    PlantedKind{"beside the stock", "nothing-cut", plantNothingCut, true},
+    PlantedKind{"hardly a cut", "nothing-cut", plantHardlyCuts, true},
+    PlantedKind{"feeding in air", "air-cutting", plantAirCutting},
+    PlantedKind{"feed missing", "feed-missing", plantMissingFeed, true},
+    PlantedKind{"unknown code", "code-unknown", plantUnknownCode},
+    PlantedKind{"rotary word", "axis-unsupported", plantRotaryWord},
+    PlantedKind{"arc that misses its end", "arc-ends-differ", plantArcEnd},
+};
+
+std::string millOf(const Planting& p) {
+    std::string spec =
+        fmt::format("{}:d={},l={},so={},holder={}x40", p.shape, p.diameter, p.flutes, p.stickOut, p.holder);
+    if (p.shape == "bull")
+        spec += ",r=1";
+    if (p.shank > 0)
+        spec += fmt::format(",sd={}", p.shank);
+    return spec;
+}
+
+void writeHead(TwinProgram& out) {
+    if (out.writing().dialect == DialectId::fanuc) {
+        out.line("%");
+        out.line("O0012 (TEST)");
+    }
+    out.line(out.writing().inch ? "G20 G90 G17 G40 G80 G94 G54" : "G21 G90 G17 G40 G80 G94 G54");
+    takeTool(out, 1);
+    out.line("G0 X[5] Y[5]");
+}
+
+void writeEnd(TwinProgram& out) {
+    out.line("G0 Z[50]");
+    out.line("M5");
+    out.line("M30");
+    if (out.writing().dialect == DialectId::fanuc)
+        out.line("%");
+}
+
+} // namespace
+
+std::span<const PlantedKind> plantedKinds() {
+    return kKinds;
+}
+
+PlantedPair plantedPair(const PlantedKind& kind, std::uint_fast32_t seed) {
+    const Writing writing{seed % 2 == 0 ? DialectId::linuxcnc : DialectId::fanuc, seed / 2 % 2 == 1};
+    Planting planting{.program = TwinProgram(writing, seed)};
+    TwinProgram& out = planting.program;
+    constexpr std::array kShapes{"flat", "ball", "bull"};
+    planting.shape = kShapes[static_cast<std::size_t>(out.among(0, 2))];
+    planting.diameter = 2 * out.among(2, 4);
+    writeHead(out);
+    const int before = out.among(0, kLanes - 1);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        if (lane == before) {
+            kind.plant(planting);
+            out.line("G0 Z[5]");
+        }
+        const auto cut = lane == 0 ? 0 : static_cast<std::size_t>(out.among(0, kCuts.size() - 1));
+        if (!kind.alone)
+            kCuts[cut](out, 12 + 16 * lane);
+    }
+    writeEnd(out);
+
+    PlantedPair pair{out.faultyText(),
+                     out.cleanText(),
+                     out.markedLine(),
+                     planting.value,
+                     planting.machine,
+                     planting.alsoFound,
+                     {}};
+    pair.setup.stock = {Vec3(0), 140, 110, kThickness};
+    pair.setup.spacing = kSpacing;
+    pair.setup.dialect = writing.dialect;
+    pair.setup.tools.set(1, parseCutter(millOf(planting)).value());
+    pair.setup.tools.set(2, parseCutter("drill:d=4,angle=118,l=60").value());
+    pair.setup.tools.set(3, parseCutter(fmt::format("tslot:d=12,w={},neck=6", kHeadWidth)).value());
+    return pair;
+}
+
+} // namespace proveout
