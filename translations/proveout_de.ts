@@ -4951,6 +4951,42 @@ Vorgabe: 0 mm</translation>
         <translation>Eine Bedingung hat höchstens {} Zeichen.</translation>
     </message>
     <message>
+        <source>Unknown fixture shape</source>
+        <translation>Unbekannte Form der Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>A fixture cannot have the shape &quot;{}&quot;; it can be a box or a cylinder.</source>
+        <translation>Eine Spannvorrichtung kann nicht die Form „{}“ haben; sie kann box oder cylinder sein.</translation>
+    </message>
+    <message>
+        <source>Unknown fixture key</source>
+        <translation>Unbekannter Schlüssel der Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>The shape of the fixture has no &quot;{}&quot;; it has {}.</source>
+        <translation>Die Form der Spannvorrichtung hat kein „{}“; sie hat {}.</translation>
+    </message>
+    <message>
+        <source>Invalid fixture value</source>
+        <translation>Ungültiger Wert der Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; of the fixture must be a number from {} to {}.</source>
+        <translation>„{}“ der Spannvorrichtung muss eine Zahl von {} bis {} sein.</translation>
+    </message>
+    <message>
+        <source>Fixture without a name</source>
+        <translation>Spannvorrichtung ohne Namen</translation>
+    </message>
+    <message>
+        <source>The fixture needs a name, as in NAME=SHAPE:key=value.</source>
+        <translation>Die Spannvorrichtung braucht einen Namen, wie in NAME=FORM:Schlüssel=Wert.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is not a fixture: {}</source>
+        <translation>Das Feld „{}“ ist keine Spannvorrichtung: {}</translation>
+    </message>
+    <message>
         <source>&quot;{}&quot; of the machine must be a number from {} to {}.</source>
         <translation>„{}“ der Maschine muss eine Zahl von {} bis {} sein.</translation>
     </message>

@@ -4951,6 +4951,42 @@ Default: 0 mm</source>
         <translation>조건은 최대 {}자입니다.</translation>
     </message>
     <message>
+        <source>Unknown fixture shape</source>
+        <translation>알 수 없는 고정구 형상</translation>
+    </message>
+    <message>
+        <source>A fixture cannot have the shape &quot;{}&quot;; it can be a box or a cylinder.</source>
+        <translation>고정구는 &quot;{}&quot; 형상일 수 없습니다. box 또는 cylinder여야 합니다.</translation>
+    </message>
+    <message>
+        <source>Unknown fixture key</source>
+        <translation>알 수 없는 고정구 키</translation>
+    </message>
+    <message>
+        <source>The shape of the fixture has no &quot;{}&quot;; it has {}.</source>
+        <translation>고정구 형상에는 &quot;{}&quot;이(가) 없습니다. {}이(가) 있습니다.</translation>
+    </message>
+    <message>
+        <source>Invalid fixture value</source>
+        <translation>잘못된 고정구 값</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; of the fixture must be a number from {} to {}.</source>
+        <translation>고정구의 &quot;{}&quot;은(는) {}에서 {} 사이의 숫자여야 합니다.</translation>
+    </message>
+    <message>
+        <source>Fixture without a name</source>
+        <translation>이름 없는 고정구</translation>
+    </message>
+    <message>
+        <source>The fixture needs a name, as in NAME=SHAPE:key=value.</source>
+        <translation>고정구에는 NAME=SHAPE:key=value와 같이 이름이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is not a fixture: {}</source>
+        <translation>필드 &quot;{}&quot;은(는) 고정구가 아닙니다: {}</translation>
+    </message>
+    <message>
         <source>&quot;{}&quot; of the machine must be a number from {} to {}.</source>
         <translation>기계의 &quot;{}&quot;은(는) {}에서 {} 사이의 숫자여야 합니다.</translation>
     </message>

@@ -90,6 +90,26 @@ Result<void> ToolOptions::apply(ToolTable& table) const {
     return {};
 }
 
+void FixtureOptions::addTo(CLI::App& command) {
+    command
+        .add_option("--fixture", fixtures,
+                    "What holds the stock, e.g. jaw=box:x=-20,y=0,z=-30,w=20,d=80,h=25 or "
+                    "screw=cylinder:x=9,y=9,z=0,d=12,h=8; mm, x and y of the corner or the axis, z of the "
+                    "bottom; repeatable")
+        ->type_name("NAME=SHAPE:key=value,…")
+        ->allow_extra_args(false);
+}
+
+Result<void> FixtureOptions::apply(Fixtures& into) const {
+    for (const std::string& option : fixtures) {
+        auto fixture = parseFixtureOption(option);
+        if (!fixture)
+            return aboutOption("--fixture", std::move(fixture.error()));
+        into[fixture->first] = fixture->second;
+    }
+    return {};
+}
+
 Diagnostics unusedCompensationStart(bool typeB, const Program& program) {
     const Dialect& row = dialect(program.dialect());
     if (!typeB || row.vectors.used)
@@ -111,6 +131,7 @@ void SetupOptions::addSharedTo(CLI::App& command) {
     const Setup nothing;
     describeGrid(nothing, OptionAdder{command, m_given});
     m_tools.addTo(command);
+    m_fixtures.addTo(command);
     describeControl(nothing, OptionAdder{command, m_given});
     command
         .add_option("--machine", m_machine,
@@ -158,6 +179,8 @@ Result<Job> SetupOptions::givenJob() const {
     job.setup.automaticGrid = job.setup.automaticGrid || m_jobFile.empty();
     if (auto tools = m_tools.apply(job.setup.tools); !tools)
         return tl::unexpected(std::move(tools.error()));
+    if (auto fixtures = m_fixtures.apply(job.setup.fixtures); !fixtures)
+        return tl::unexpected(std::move(fixtures.error()));
     Result<void> given;
     describe(job.setup, OptionReader{m_given, given});
     if (!given)

@@ -37,6 +37,14 @@ struct ToolOptions {
     [[nodiscard]] Result<void> apply(ToolTable& table) const;
 };
 
+/// `--fixture`; added to those of the job, or in place of one with its name.
+struct FixtureOptions {
+    std::vector<std::string> fixtures;
+
+    void addTo(CLI::App& command);
+    [[nodiscard]] Result<void> apply(Fixtures& into) const;
+};
+
 /// A warning if type B is requested but the control of the program does not distinguish types.
 [[nodiscard]] Diagnostics unusedCompensationStart(bool typeB, const Program& program);
 
@@ -75,6 +83,7 @@ private:
     bool m_allowOutside = false;
     StockOptions m_stock;
     ToolOptions m_tools;
+    FixtureOptions m_fixtures;
     GivenFields m_given; ///< for grid and control
     std::string m_machine;
     DecimationOptions m_decimation;

@@ -191,6 +191,20 @@ ordered_json toJson(const ToolOrigin& origin) {
     return out;
 }
 
+constexpr const char* kFixtures = "fixtures";
+
+void readFixtures(JsonFields& job, Fixtures& fixtures) {
+    if (!job.has(kFixtures))
+        return;
+    JsonFields fields = job.object(kFixtures);
+    fields.eachString([&](const std::string& name, const std::string& text) {
+        if (auto fixture = parseFixture(text))
+            fixtures[name] = *fixture;
+        else
+            fields.fail(name, job_finding::kJobFieldFixture, {message(fixture.error().front())});
+    });
+}
+
 void readMachine(JsonFields& job, std::optional<Machine>& machine) {
     if (!job.has("machine"))
         return;
@@ -259,6 +273,7 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     describeGrid(job.setup, FieldReader{fields});
     readTools(fields.object("tools"), job.setup.tools);
     readUnconfirmed(fields, job.setup.tools);
+    readFixtures(fields, job.setup.fixtures);
     describeControl(job.setup, FieldReader{fields});
     readMachine(fields, job.machine);
     readParameters(fields.object("decimation"), job);
@@ -283,6 +298,8 @@ ordered_json toJson(const Job& job, const fs::path& file) {
         out["tools"][std::to_string(number)] = cutter.spec();
     for (const auto& [number, origin] : setup.tools.unconfirmed())
         out[kUnconfirmed][std::to_string(number)] = toJson(origin);
+    for (const auto& [name, fixture] : setup.fixtures)
+        out[kFixtures][name] = fixtureText(fixture);
     describeControl(setup, FieldWriter{out});
     if (job.machine)
         describe(*job.machine, FieldWriter{out["machine"]});

@@ -173,6 +173,12 @@ inline constexpr FindingRow kJobFieldCutter{Severity::error,
                                             PROVEOUT_TEXT("Core", "Invalid job field"),
                                             PROVEOUT_TEXT("Core", "The field \"{}\" is not a cutter: {}"),
                                             ""};
+inline constexpr FindingRow kJobFieldFixture{Severity::error,
+                                             false,
+                                             "job-field",
+                                             PROVEOUT_TEXT("Core", "Invalid job field"),
+                                             PROVEOUT_TEXT("Core", "The field \"{}\" is not a fixture: {}"),
+                                             ""};
 
 inline constexpr std::array kJobRows{
     &kJsonDepth,        &kJsonSyntax,         &kNotAJob,           &kJobNewer,
@@ -180,6 +186,7 @@ inline constexpr std::array kJobRows{
     &kJobFieldFormat,   &kJobFieldMissing,    &kJobFieldAbove,     &kJobFieldRange,
     &kJobFieldText,     &kJobFieldWhole,      &kJobFieldFlag,      &kJobFieldPoint,
     &kJobFieldList,     &kJobFieldChoice,     &kJobFieldObject,    &kJobFieldProgram,
-    &kJobFieldPosition, &kJobFieldToolNumber, &kJobFieldToolTwice, &kJobFieldCutter};
+    &kJobFieldPosition, &kJobFieldToolNumber, &kJobFieldToolTwice, &kJobFieldCutter,
+    &kJobFieldFixture};
 
 } // namespace proveout::job_finding

@@ -44,7 +44,7 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
 const std::map<std::string, std::vector<std::string>> kRoomsWithin{
     {"core/nc",
      {"text", "codes", "program", "geometry", "state", "motions", "cycles", "handlers", "flow", "run"}},
-    {"core/cutting", {"profiles", "rows", "kernels", "cut"}},
+    {"core/cutting", {"profiles", "rows", "kernels", "cut", "fixtures"}},
     {"core/decimation", {"regions", "lattice", "lee", "certified", "surface", "solid"}},
     {"core/simulation", {"setup", "time", "run", "records", "thread"}},
     {"core/verification", {"findings", "rules", "verdict", "check"}},

@@ -6,6 +6,7 @@
 
 #include "core/base/geometry.h"
 #include "core/cutter/tool_table.h"
+#include "core/cutting/fixtures/fixture.h"
 #include "core/nc/text/dialect.h"
 #include "core/zmap/stock_shape.h"
 
@@ -18,6 +19,7 @@ struct Setup {
     double spacing = 1;         ///< requested grid spacing, mm; for an automatic grid: the one computed last
     bool automaticGrid = false; ///< the spacing follows stock and cutters (automatic_grid.h)
     ToolTable tools;
+    Fixtures fixtures;         ///< nothing cuts them; checked after a run
     std::optional<Vec3> start; ///< position of the cutter before the first block, if it is known
     /// The tool in the spindle before the first block, if it is known. 0: none, or T0 of the table.
     std::optional<int> startTool;

@@ -167,9 +167,9 @@ void describeGrid(Params& setup, Visitor&& visit) {
 /// Visits every parameter once; see field.h. The grid is a GridPlace.
 template<ParametersOf<Setup> Params, class Visitor>
 void describe(Params& setup, Visitor&& visit) {
-    // Stock, shape, tools, the two of the grid and six others: a new field does not compile until it is
-    // counted here, and has its row above.
-    [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11] = setup;
+    // Stock, shape, tools, fixtures, the two of the grid and six others: a new field does not compile until
+    // it is counted here, and has its row above.
+    [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12] = setup;
     describeGrid(setup, visit);
     describeControl(setup, visit);
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/base_findings.h"
 #include "core/cutter/cutter_findings.h"
+#include "core/cutting/fixtures/fixture_findings.h"
 #include "core/decimation/surface/decimation_findings.h"
 #include "core/formats/array_findings.h"
 #include "core/formats/export_findings.h"
@@ -60,6 +61,7 @@ constexpr std::array kTables{
     FindingTable{FindingSource::jobFile, job_finding::kJobRows, true},
     FindingTable{FindingSource::stock, stock_finding::kStockFileRows, true},
     FindingTable{FindingSource::setup, setup_finding::kSetupRows, true},
+    FindingTable{FindingSource::setup, fixture_finding::kFixtureRows, true},
     FindingTable{FindingSource::simulation, cutting_finding::kCuttingRows, false},
     FindingTable{FindingSource::simulation, tool_finding::kToolRows, false},
     FindingTable{FindingSource::rules, rule_finding::kRuleRows, false},

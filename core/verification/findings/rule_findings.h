@@ -74,6 +74,20 @@ inline constexpr FindingRow kTableCollision{
     "Cutter below stock",
     "The cutter goes {} mm below the bottom of the stock; {} mm are allowed.",
     "Raise the cut, place the stock higher, or allow more if there is room below."};
+inline constexpr FindingRow kFixtureCollision{
+    Severity::fault,
+    false,
+    "fixture-collision",
+    "Fixture collision",
+    "The tool collides with the fixture \"{3}\", {1} mm deep.",
+    "Move the fixture, or retract higher before the tool passes it."};
+inline constexpr FindingRow kFixtureNear{
+    Severity::warning,
+    false,
+    "fixture-near",
+    "Fixture too near",
+    "The tool passes nearer than {2} mm to the fixture \"{3}\", by {1} mm.",
+    "Move the fixture, retract higher, or allow less clearance."};
 inline constexpr FindingRow kLoosePiece{Severity::fault,
                                         false,
                                         "loose-piece",
@@ -88,8 +102,9 @@ inline constexpr FindingRow kAirCutting{
     "The cutter moves through air at feed for {} s; up to {} s are not reported.",
     "Approach with G0 where it is safe."};
 
-inline constexpr std::array kRuleRows{&kSpindleStopped, &kSpindleReversed, &kFeedLimit,     &kDrillSideways,
-                                      &kNothingCut,     &kHardlyCuts,      &kUnitsTooLarge, &kUnitsTooSmall,
-                                      &kTableCollision, &kLoosePiece,      &kAirCutting};
+inline constexpr std::array kRuleRows{&kSpindleStopped, &kSpindleReversed,  &kFeedLimit,     &kDrillSideways,
+                                      &kNothingCut,     &kHardlyCuts,       &kUnitsTooLarge, &kUnitsTooSmall,
+                                      &kTableCollision, &kFixtureCollision, &kFixtureNear,   &kLoosePiece,
+                                      &kAirCutting};
 
 } // namespace proveout::rule_finding

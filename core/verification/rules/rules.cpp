@@ -20,6 +20,8 @@ constexpr std::array<const FindingRow*, 1> kOfDrill{&kDrillSideways};
 constexpr std::array<const FindingRow*, 2> kOfRemoval{&kNothingCut, &kHardlyCuts};
 constexpr std::array<const FindingRow*, 2> kOfUnits{&kUnitsTooLarge, &kUnitsTooSmall};
 constexpr std::array<const FindingRow*, 1> kOfRoom{&kTableCollision};
+constexpr std::array<const FindingRow*, 1> kOfFixtures{&kFixtureCollision};
+constexpr std::array<const FindingRow*, 1> kOfClearance{&kFixtureNear};
 constexpr std::array<const FindingRow*, 1> kOfPieces{&kLoosePiece};
 constexpr std::array<const FindingRow*, 1> kOfAir{&kAirCutting};
 
@@ -31,19 +33,22 @@ constexpr std::array kRules{
     Rule{kOfRemoval, "%", judgeRemoval},
     Rule{kOfUnits, "", judgeUnits},
     Rule{kOfRoom, "mm", judgeRoomBelow},
+    Rule{kOfFixtures, "mm", judgeFixtures},
+    Rule{kOfClearance, "mm", judgeFixtureClearance},
     Rule{kOfPieces, "mm³", judgeLoosePieces},
     Rule{kOfAir, "s", judgeAirCutting},
 };
 
 } // namespace
 
-void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, double value, double limit) {
-    const auto sameTool = [&](const RuleFinding& one) {
-        return one.row == &row && one.block && one.tool == tool;
+void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, double value, double limit,
+                       const std::string& what) {
+    const auto same = [&](const RuleFinding& one) {
+        return one.row == &row && one.block && one.tool == tool && one.what == what;
     };
-    const auto found = std::ranges::find_if(m_all, sameTool);
+    const auto found = std::ranges::find_if(m_all, same);
     if (found == m_all.end()) {
-        m_all.push_back({&row, block, block, block, 1, tool, value, limit, {}});
+        m_all.push_back({&row, block, block, block, 1, tool, value, limit, {}, what});
         return;
     }
     found->count += found->lastBlock == block ? 0 : 1;
@@ -55,7 +60,7 @@ void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, doubl
 }
 
 void RuleFindings::add(const FindingRow& row, double value, double limit, std::optional<Vec3> place) {
-    m_all.push_back({&row, {}, 0, 0, 1, 0, value, limit, place});
+    m_all.push_back({&row, {}, 0, 0, 1, 0, value, limit, place, {}});
 }
 
 std::span<const Rule> rules() {
@@ -79,8 +84,8 @@ std::vector<RuleFinding> judge(const CheckedRun& run, const RuleLimits& limits,
 }
 
 Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program) {
-    Diagnostic diagnostic =
-        diagnosticOf(*finding.row, {figures("{:.6g}", finding.value), figures("{:.6g}", finding.limit)});
+    Diagnostic diagnostic = diagnosticOf(
+        *finding.row, {figures("{:.6g}", finding.value), figures("{:.6g}", finding.limit), finding.what});
     if (finding.block)
         diagnostic.where = {static_cast<int>(program.blockLine(*finding.block)), 1, 0};
     return diagnostic;

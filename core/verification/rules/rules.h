@@ -24,6 +24,7 @@ struct RuleLimits {
     double belowStock = 3;
     double airSeconds = 10;
     double looseVolume = 1;
+    double fixtureClearance = 1;
 
     friend bool operator==(const RuleLimits&, const RuleLimits&) = default;
 };
@@ -60,9 +61,17 @@ void describe(Params& limits, Visitor&& visit) {
                                     .minimum = 0,
                                     .maximum = 1e9,
                                     .step = 1});
+    visit(limits.fixtureClearance,
+          Field{.key = "fixtureClearance",
+                .label = "Clearance of fixtures",
+                .unit = "mm",
+                .help = "A tool that comes nearer to a fixture is reported, across and upwards.",
+                .minimum = 0,
+                .maximum = 1000,
+                .step = 0.5});
 }
 
-/// What a rule found: one finding for all blocks of one tool in which it was broken.
+/// What a rule found: one finding for all blocks of one tool in which it was broken by one thing.
 struct RuleFinding {
     const FindingRow* row = nullptr;
     std::optional<std::size_t> block = {}; ///< the first, 0-based; none: the program as a whole
@@ -73,13 +82,16 @@ struct RuleFinding {
     double value = 0;      ///< the worst
     double limit = 0;
     std::optional<Vec3> place = {};
+    std::string what =
+        {}; ///< the thing, where the rule has several of them; the third argument of the sentence
 };
 
 /// Collects what the rules find; owned by one thread.
 class RuleFindings {
 public:
     /// A block breaks a rule. Blocks must come in order; the larger value is the worse one.
-    void add(const FindingRow& row, std::size_t block, int tool, double value, double limit = 0);
+    void add(const FindingRow& row, std::size_t block, int tool, double value, double limit = 0,
+             const std::string& what = {});
     /// Something that concerns no block.
     void add(const FindingRow& row, double value = 0, double limit = 0, std::optional<Vec3> place = {});
     [[nodiscard]] const std::vector<RuleFinding>& all() const { return m_all; }
@@ -119,6 +131,8 @@ void judgeAirCutting(const CheckedRun& run, const RuleLimits& limits, RuleFindin
 void judgeRemoval(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeUnits(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeRoomBelow(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeFixtures(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeFixtureClearance(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeLoosePieces(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 
 } // namespace proveout

@@ -21,6 +21,10 @@ bool lacksMachine(const CheckScope& scope) {
     return !scope.hasMachine;
 }
 
+bool lacksFixtures(const CheckScope& scope) {
+    return scope.setup.fixtures.empty();
+}
+
 bool probes(const CheckScope& scope) {
     return scope.program.asksForStock();
 }
@@ -60,7 +64,7 @@ constexpr std::array kRows{
     NotCheckedRow{"stock-not-given", "Everything that needs a stock", lacksStock},
     NotCheckedRow{"holder-not-given", "Collisions of the tool holder", lacksHolder},
     NotCheckedRow{"shank-not-given", "Collisions of the shank", lacksShank},
-    NotCheckedRow{"fixtures-not-given", "Collisions with fixtures", always},
+    NotCheckedRow{"fixtures-not-given", "Collisions with fixtures", lacksFixtures},
     NotCheckedRow{"travel-not-given", "Travel limits of the machine", always},
     NotCheckedRow{"machine-not-given", "Maximum feed rate of the machine", lacksMachine},
     NotCheckedRow{"tool-limits-not-given", "Load of the tools", always},

@@ -192,6 +192,16 @@ TEST_F(JobFile, CompensationStartsByTypeAUnlessTheJobSaysB) {
                 HasSubstr("compensationStart"));
 }
 
+TEST_F(JobFile, FixturesAreNamed) {
+    const auto job = read(with("\"grid\"", R"("fixtures": {"jaw": "box:x=-20,w=20,d=80,h=25"}, "grid")"));
+    ASSERT_TRUE(job);
+    const Fixtures expected{{"jaw", FixtureBox{-20, 0, 0, 20, 80, 25}}};
+    EXPECT_EQ(job->setup.fixtures, expected);
+    EXPECT_THAT(reported(with("\"grid\"", R"("fixtures": {"jaw": "box:w=20"}, "grid")")), HasSubstr("jaw"));
+    EXPECT_FALSE(read(with("\"grid\"", R"("fixtures": {"jaw": 3}, "grid")")));
+    EXPECT_FALSE(read(with("\"grid\"", R"("fixtures": ["box:w=1,d=1,h=1"], "grid")")));
+}
+
 TEST_F(JobFile, TheMachineIsAssumedUnlessTheJobDescribesIt) {
     EXPECT_FALSE(read(kWhole).value().machine);
     const auto job = read(with("\"grid\"", R"("machine": {"rapidXY": 30000, "toolChange": 3.5}, "grid")"));
@@ -408,6 +418,10 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
             value = std::uniform_real_distribution<double>(field.minimum, field.maximum)(random);
         });
     }
+    if (random() % 2 == 0)
+        job.setup.fixtures = {
+            {"left jaw", FixtureBox{real(random), real(random), -real(random), 1 + real(random), 2, 0.3}},
+            {"screw = 2", FixtureCylinder{0, -real(random), 0, 1 + real(random), 1e-3}}};
     return job;
 }
 

@@ -348,6 +348,46 @@ void plantMillimetresAsInches(Planting& p) {
     p.alsoFound = {"nothing-cut", "never-cuts"};
 }
 
+/// A clamp beside the stock, at X165 in the lane.
+void plantFixture(Planting& p, const char* moveToIt) {
+    const int top = p.program.among(8, 30);
+    const int overlap = p.program.among(1, 4);
+    const double height = top + kThickness;
+    p.fixtures["clamp"] = p.program.either() ? Fixture(FixtureBox{150, 80, -kThickness, 30, 24, height})
+                                             : Fixture(FixtureCylinder{165, 92, -kThickness, 20, height});
+    p.program.line("G0 X[120] Y[92] Z[50]");
+    p.program.faulty(fmt::format("Z[{}]", top - overlap));
+    p.program.clean(fmt::format("Z[{}]", top + 2));
+    p.program.mark();
+    p.program.line(moveToIt);
+    p.program.line("G0 Z[50]");
+    p.program.line("X[120]");
+    p.value = overlap;
+}
+
+void plantFixtureInRapid(Planting& p) {
+    plantFixture(p, "X[165]");
+}
+
+void plantFixtureInArc(Planting& p) {
+    plantFixture(p, "G3 X[165] Y[92] I[22.5] J[0] F[3000]");
+}
+
+void plantFixtureInCycle(Planting& p) {
+    const int overlap = p.program.among(1, 6);
+    p.fixtures["screw"] = FixtureCylinder{165, 92, -10, 8, 20};
+    changeTo(p.program, 2);
+    p.program.line(kToFault);
+    p.program.line("G98 G81 Z[-6] R[2] F[300]");
+    p.program.line("G0 Z[15]");
+    p.program.line(fmt::format("G98 G81 X[120] Z[-6] R[{}] F[300]", 10 - overlap));
+    p.program.mark();
+    p.program.faulty("X[165]");
+    p.program.line("G80");
+    changeTo(p.program, 1);
+    p.value = 16; // to the bottom of the hole
+}
+
 // ---- the rows ----
 
 constexpr std::array kKinds{
@@ -367,6 +407,9 @@ constexpr std::array kKinds{
     PlantedKind{"tool not in the table", "tool-undefined", plantMissingTool},
     PlantedKind{"inches read as mm", "units-suspect", plantInchesAsMillimetres, true},
     PlantedKind{"mm read as inches", "units-suspect", plantMillimetresAsInches, true},
+    PlantedKind{"fixture, rapid", "fixture-collision", plantFixtureInRapid},
+    PlantedKind{"fixture, arc", "fixture-collision", plantFixtureInArc},
+    PlantedKind{"fixture, cycle", "fixture-collision", plantFixtureInCycle},
     PlantedKind{"loose piece", "loose-piece", plantLoosePiece},
     PlantedKind{"beside the stock", "nothing-cut", plantNothingCut, true},
     PlantedKind{"hardly a cut", "nothing-cut", plantHardlyCuts, true},
@@ -441,6 +484,7 @@ PlantedPair plantedPair(const PlantedKind& kind, std::uint_fast32_t seed) {
     pair.setup.stock = {Vec3(0), 140, 110, kThickness};
     pair.setup.spacing = kSpacing;
     pair.setup.dialect = writing.dialect;
+    pair.setup.fixtures = planting.fixtures;
     pair.setup.tools.set(1, parseCutter(millOf(planting)).value());
     pair.setup.tools.set(2, parseCutter("drill:d=4,angle=118,l=60").value());
     pair.setup.tools.set(3, parseCutter(fmt::format("tslot:d=12,w={},neck=6", kHeadWidth)).value());

@@ -28,6 +28,7 @@ struct Planting {
     std::optional<double> value = {}; ///< of the finding, in its unit; nothing: not known exactly
     std::optional<Machine> machine = {};
     std::set<std::string> alsoFound = {}; ///< ids that the fault also breaks
+    Fixtures fixtures = {};
 };
 
 struct PlantedKind {
