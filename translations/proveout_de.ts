@@ -7603,6 +7603,86 @@ Vorgabe: 0 mm</translation>
         <translation>Halter, DURCHMESSERxHÖHE+… von der Stirnfläche nach oben</translation>
     </message>
     <message>
+        <source>The value of {}, “{}”, is not a whole number.</source>
+        <translation>Der Wert von {}, „{}“, ist keine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>Chip thickness without teeth</source>
+        <translation>Spanungsdicke ohne Zähnezahl</translation>
+    </message>
+    <message>
+        <source>A maximum chip thickness, maxchip, needs the key z, the number of teeth of the tool.</source>
+        <translation>Eine maximale Spanungsdicke, maxchip, braucht den Schlüssel z, die Zähnezahl des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Pitch of the thread (0: unknown)</source>
+        <translation>Gewindesteigung (0: unbekannt)</translation>
+    </message>
+    <message>
+        <source>Teeth (0: unknown)</source>
+        <translation>Zähne (0: unbekannt)</translation>
+    </message>
+    <message>
+        <source>Centre-cutting (1: yes, 0: no)</source>
+        <translation>Über Mitte schneidend (1: ja, 0: nein)</translation>
+    </message>
+    <message>
+        <source>Steepest ramp into solid material</source>
+        <translation>Steilste Rampe ins volle Material</translation>
+    </message>
+    <message>
+        <source>Maximum axial depth of cut (0: no limit)</source>
+        <translation>Maximale axiale Schnitttiefe (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Maximum radial engagement (0: no limit)</source>
+        <translation>Maximaler radialer Eingriff (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Maximum chip thickness (0: no limit)</source>
+        <translation>Maximale Spanungsdicke (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Maximum spindle speed (0: no limit)</source>
+        <translation>Maximale Spindeldrehzahl (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate in a cut (0: no limit)</source>
+        <translation>Maximaler Vorschub im Schnitt (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Maximum surface speed (0: no limit)</source>
+        <translation>Maximale Schnittgeschwindigkeit (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Maximum removal rate (0: no limit)</source>
+        <translation>Maximales Zeitspanvolumen (0: keine Grenze)</translation>
+    </message>
+    <message>
+        <source>Maximum spindle speed (0: unknown)</source>
+        <translation>Maximale Spindeldrehzahl (0: unbekannt)</translation>
+    </message>
+    <message>
+        <source>Programs are checked for higher spindle speeds.</source>
+        <translation>Programme werden auf höhere Spindeldrehzahlen geprüft.</translation>
+    </message>
+    <message>
+        <source>Motion not allowed for tool</source>
+        <translation>Bewegung für Werkzeug nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>The tool plunges {} mm deep into material, but is not centre-cutting.</source>
+        <translation>Das Werkzeug taucht {} mm tief ins Material ein, schneidet aber nicht über Mitte.</translation>
+    </message>
+    <message>
+        <source>Drill a hole first, go down on a ramp, or set centre=1 for the tool if it may.</source>
+        <translation>Zuerst ein Loch bohren, über eine Rampe eintauchen oder centre=1 für das Werkzeug setzen, wenn es darf.</translation>
+    </message>
+    <message>
+        <source>The plunge goes {} mm deep into material with the unconfirmed tool T{}, which is not centre-cutting.</source>
+        <translation>Das Eintauchen geht {} mm tief ins Material, mit dem unbestätigten Werkzeug T{}, das nicht über Mitte schneidet.</translation>
+    </message>
+    <message>
         <source>Holder collision</source>
         <translation>Halterkollision</translation>
     </message>

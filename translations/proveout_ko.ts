@@ -7603,6 +7603,86 @@ Default: 0 mm</source>
         <translation>홀더, 단면에서 위쪽으로 적은 지름x높이+… 형식</translation>
     </message>
     <message>
+        <source>The value of {}, “{}”, is not a whole number.</source>
+        <translation>{}의 값 “{}”은(는) 정수가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Chip thickness without teeth</source>
+        <translation>날 수가 없는 칩 두께</translation>
+    </message>
+    <message>
+        <source>A maximum chip thickness, maxchip, needs the key z, the number of teeth of the tool.</source>
+        <translation>최대 칩 두께 maxchip에는 공구의 날 수인 z 키가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Pitch of the thread (0: unknown)</source>
+        <translation>나사 피치(0: 알 수 없음)</translation>
+    </message>
+    <message>
+        <source>Teeth (0: unknown)</source>
+        <translation>날 수(0: 알 수 없음)</translation>
+    </message>
+    <message>
+        <source>Centre-cutting (1: yes, 0: no)</source>
+        <translation>센터 커팅(1: 예, 0: 아니요)</translation>
+    </message>
+    <message>
+        <source>Steepest ramp into solid material</source>
+        <translation>소재로 들어가는 최대 램프 각도</translation>
+    </message>
+    <message>
+        <source>Maximum axial depth of cut (0: no limit)</source>
+        <translation>최대 축방향 절삭 깊이(0: 제한 없음)</translation>
+    </message>
+    <message>
+        <source>Maximum radial engagement (0: no limit)</source>
+        <translation>최대 반경방향 물림(0: 제한 없음)</translation>
+    </message>
+    <message>
+        <source>Maximum chip thickness (0: no limit)</source>
+        <translation>최대 칩 두께(0: 제한 없음)</translation>
+    </message>
+    <message>
+        <source>Maximum spindle speed (0: no limit)</source>
+        <translation>최대 주축 회전수(0: 제한 없음)</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate in a cut (0: no limit)</source>
+        <translation>절삭 중 최대 이송 속도(0: 제한 없음)</translation>
+    </message>
+    <message>
+        <source>Maximum surface speed (0: no limit)</source>
+        <translation>최대 절삭 속도(0: 제한 없음)</translation>
+    </message>
+    <message>
+        <source>Maximum removal rate (0: no limit)</source>
+        <translation>최대 절삭률(0: 제한 없음)</translation>
+    </message>
+    <message>
+        <source>Maximum spindle speed (0: unknown)</source>
+        <translation>최대 주축 회전수(0: 알 수 없음)</translation>
+    </message>
+    <message>
+        <source>Programs are checked for higher spindle speeds.</source>
+        <translation>프로그램에 더 높은 주축 회전수가 있는지 검사합니다.</translation>
+    </message>
+    <message>
+        <source>Motion not allowed for tool</source>
+        <translation>공구에 허용되지 않는 이동</translation>
+    </message>
+    <message>
+        <source>The tool plunges {} mm deep into material, but is not centre-cutting.</source>
+        <translation>공구가 소재로 {} mm 깊이까지 수직 절입하지만 센터 커팅 공구가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Drill a hole first, go down on a ramp, or set centre=1 for the tool if it may.</source>
+        <translation>먼저 구멍을 뚫거나, 램프로 내려가거나, 허용되는 공구라면 centre=1로 설정하십시오.</translation>
+    </message>
+    <message>
+        <source>The plunge goes {} mm deep into material with the unconfirmed tool T{}, which is not centre-cutting.</source>
+        <translation>소재로 {} mm 깊이까지 수직 절입하지만, 확인되지 않은 공구 T{}은(는) 센터 커팅 공구가 아닙니다.</translation>
+    </message>
+    <message>
         <source>Holder collision</source>
         <translation>홀더 충돌</translation>
     </message>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // tools: the shapes of cutters with their keys, or the tools of a table.
+#include <algorithm>
+#include <cstddef>
 #include <fmt/core.h>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/report.h"
@@ -22,20 +26,34 @@ struct ToolsOptions {
 
 void printKey(const ShapeKey& key) {
     if (key.isText()) {
-        fmt::print("  {:<6} {}, e.g. {} ({})\n", key.key, key.label, key.exampleText(),
+        fmt::print("  {:<7} {}, e.g. {} ({})\n", key.key, key.label, key.exampleText(),
                    key.required ? "required" : "none");
         return;
     }
+    const std::string unit = (*key.unit == '\0' ? "" : " ") + std::string(key.unit);
     const std::string defaultText =
-        key.required ? std::string("required") : fmt::format("{} {}", key.defaultValue, key.unit);
-    fmt::print("  {:<6} {}: {} to {} {} ({})\n", key.key, key.label, key.minimum, key.maximum, key.unit,
+        key.required ? std::string("required") : fmt::format("{}{}", key.defaultValue, unit);
+    fmt::print("  {:<7} {}: {} to {}{} ({})\n", key.key, key.label, key.minimum, key.maximum, unit,
                defaultText);
+}
+
+/// Its own keys, and those of every shape that have another default.
+std::vector<ShapeKey> listedKeys(const CutterShape& shape) {
+    std::vector<ShapeKey> keys = keysOf(shape);
+    const auto common = keys.begin() + static_cast<std::ptrdiff_t>(shape.keys.size());
+    const auto isCommon = [](const ShapeKey& key) {
+        return std::ranges::any_of(commonShapeKeys(), [&](const ShapeKey& row) {
+            return std::string_view(row.key) == key.key && row.defaultValue == key.defaultValue;
+        });
+    };
+    keys.erase(std::remove_if(common, keys.end(), isCommon), keys.end());
+    return keys;
 }
 
 void printShapes() {
     for (const CutterShape& shape : cutterShapes()) {
         fmt::print("{}: {}\n", shape.key, shape.label);
-        for (const ShapeKey& key : shape.keys)
+        for (const ShapeKey& key : listedKeys(shape))
             printKey(key);
     }
     fmt::print("Every shape:\n");
@@ -43,7 +61,7 @@ void printShapes() {
         printKey(key);
 }
 
-nlohmann::ordered_json keysOf(std::span<const ShapeKey> keys) {
+nlohmann::ordered_json toJson(std::span<const ShapeKey> keys) {
     auto list = nlohmann::ordered_json::array();
     for (const ShapeKey& key : keys) {
         nlohmann::ordered_json row{{"key", key.key}, {"label", key.label}};
@@ -63,7 +81,7 @@ nlohmann::ordered_json keysOf(std::span<const ShapeKey> keys) {
 nlohmann::ordered_json shapesAsJson() {
     auto list = nlohmann::ordered_json::array();
     for (const CutterShape& shape : cutterShapes())
-        list.push_back({{"key", shape.key}, {"label", shape.label}, {"keys", keysOf(shape.keys)}});
+        list.push_back({{"key", shape.key}, {"label", shape.label}, {"keys", toJson(listedKeys(shape))}});
     return list;
 }
 
@@ -71,7 +89,7 @@ ExitCode run(const ToolsOptions& options) {
     Report report(options.file);
     nlohmann::ordered_json object;
     if (options.shapes && options.json)
-        object = {{"shapes", shapesAsJson()}, {"everyShape", keysOf(commonShapeKeys())}};
+        object = {{"shapes", shapesAsJson()}, {"everyShape", toJson(commonShapeKeys())}};
     else if (options.shapes)
         printShapes();
     if (!options.file.empty()) {

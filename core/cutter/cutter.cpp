@@ -19,10 +19,11 @@ double heightOf(const ProfilePiece& piece, double r) {
     return piece.kind == PieceKind::arc ? piece.centreZ - half : piece.centreZ + half;
 }
 
-Cutter::Cutter(std::string spec, CutterProfile profile, ToolBody body)
+Cutter::Cutter(std::string spec, CutterProfile profile, ToolBody body, CuttingData data)
     : m_spec(std::move(spec)), m_profile(std::move(profile)),
       m_solvable(proveout::solvablePieces(m_profile.pieces)),
-      m_radius(m_profile.pieces.empty() ? 0.0 : m_profile.pieces.back().r1), m_body(std::move(body)) {
+      m_radius(m_profile.pieces.empty() ? 0.0 : m_profile.pieces.back().r1), m_body(std::move(body)),
+      m_data(data) {
     m_body.fluteLength = std::max(m_body.fluteLength, profileHeight());
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/cutter/cutting_data.h"
 #include "core/cutter/holder.h"
 
 namespace proveout {
@@ -61,7 +62,7 @@ public:
     Cutter() = default;
     /// `spec` is the text it was made from, e.g. "ball:d=11,l=50". The flutes are at least as long as the
     /// profile is high; for a necked head, their length is that of head and neck.
-    Cutter(std::string spec, CutterProfile profile, ToolBody body = {});
+    Cutter(std::string spec, CutterProfile profile, ToolBody body = {}, CuttingData data = {});
 
     [[nodiscard]] const std::string& spec() const { return m_spec; }
     [[nodiscard]] const std::vector<ProfilePiece>& pieces() const { return m_profile.pieces; }
@@ -71,6 +72,7 @@ public:
     [[nodiscard]] const std::optional<NeckedHead>& head() const { return m_profile.head; }
     [[nodiscard]] double radius() const { return m_radius; } ///< the largest radius
     [[nodiscard]] const ToolBody& body() const { return m_body; }
+    [[nodiscard]] const CuttingData& data() const { return m_data; }
     [[nodiscard]] double fluteLength() const { return m_body.fluteLength; }
     [[nodiscard]] double shankRadius() const { return m_body.shankRadius; }
     [[nodiscard]] double shankLength() const { return m_body.shankLength; }
@@ -89,6 +91,7 @@ private:
     std::vector<ProfilePiece> m_solvable;
     double m_radius = 0;
     ToolBody m_body;
+    CuttingData m_data;
 };
 
 /// Makes a cutter from `SHAPE:key=value,…` according to the rows of shapes.h. Errors name the key and the

@@ -166,6 +166,13 @@ inline constexpr FindingRow kCutterValueOutOfRange{
     PROVEOUT_TEXT("Core", "Cutter value out of range"),
     PROVEOUT_TEXT("Core", "{}={} is out of range, {} to {} {}."),
     ""};
+inline constexpr FindingRow kCutterValueNotWhole{
+    Severity::error,
+    false,
+    "cutter-value-not-a-number",
+    kCutterValueNotANumber.title,
+    PROVEOUT_TEXT("Core", "The value of {}, “{}”, is not a whole number."),
+    ""};
 inline constexpr FindingRow kCutterKeyTwice{Severity::error,
                                             false,
                                             "cutter-key-twice",
@@ -241,6 +248,14 @@ inline constexpr FindingRow kStickOutTooShort{
     "stick-out-too-short",
     PROVEOUT_TEXT("Core", "Stick-out too short"),
     PROVEOUT_TEXT("Core", "The stick-out so={} is less than the height of the cutter's profile, {} mm."),
+    ""};
+inline constexpr FindingRow kChipWithoutTeeth{
+    Severity::error,
+    false,
+    "chip-without-teeth",
+    PROVEOUT_TEXT("Core", "Chip thickness without teeth"),
+    PROVEOUT_TEXT("Core",
+                  "A maximum chip thickness, maxchip, needs the key z, the number of teeth of the tool."),
     ""};
 inline constexpr FindingRow kToolNumberText{
     Severity::error,
@@ -344,6 +359,7 @@ inline constexpr std::array kCutterRows{&kFormNoWidth,
                                         &kNeckTooThick,
                                         &kHeadTooHigh,
                                         &kCutterValueNotANumber,
+                                        &kCutterValueNotWhole,
                                         &kCutterValueOutOfRange,
                                         &kCutterKeyTwice,
                                         &kCutterKeyUnknown,
@@ -356,6 +372,7 @@ inline constexpr std::array kCutterRows{&kFormNoWidth,
                                         &kHolderTooLong,
                                         &kHolderWithoutStickOut,
                                         &kStickOutTooShort,
+                                        &kChipWithoutTeeth,
                                         &kToolNumberText,
                                         &kToolFileEmpty,
                                         &kToolRow,

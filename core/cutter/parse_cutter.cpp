@@ -45,15 +45,20 @@ struct KeyValues {
     std::vector<std::string_view> texts;      ///< by key; empty for a value that is a number
     std::size_t own; ///< the number of keys that only this shape has; they come first
 
-    explicit KeyValues(const CutterShape& shape)
-        : keys(shape.keys.begin(), shape.keys.end()), own(shape.keys.size()) {
-        keys.insert(keys.end(), commonShapeKeys().begin(), commonShapeKeys().end());
+    explicit KeyValues(const CutterShape& shape) : keys(keysOf(shape)), own(shape.keys.size()) {
         given.resize(keys.size());
         texts.resize(keys.size());
     }
 
     [[nodiscard]] double value(std::size_t index) const {
         return given[index].value_or(keys[index].defaultValue);
+    }
+    /// The value of a key by its name; 0 if the shape has no such key.
+    [[nodiscard]] double value(std::string_view name) const {
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            if (name == keys[i].key)
+                return value(i);
+        return 0;
     }
     /// The text of the one key of the shape itself that has one.
     [[nodiscard]] std::string_view ownText() const {
@@ -73,6 +78,8 @@ Result<double> parseNumber(const ShapeKey& key, std::string_view text) {
         return failure(
             cutter_finding::kCutterValueOutOfRange,
             {key.key, std::string(text), figures("{}", key.minimum), figures("{}", key.maximum), key.unit});
+    if (key.whole && value != std::floor(value))
+        return failure(cutter_finding::kCutterValueNotWhole, {key.key, std::string(text)});
     return value;
 }
 
@@ -158,6 +165,24 @@ Result<ToolBody> readBody(const KeyValues& values, const CutterProfile& profile)
     return body;
 }
 
+Result<CuttingData> readData(const KeyValues& values) {
+    CuttingData data;
+    data.teeth = static_cast<int>(values.value("z"));
+    data.centreCutting = values.value("centre") > 0;
+    data.steepestRamp = values.value("ramp");
+    data.pitch = values.value("pitch");
+    data.mostDepth = values.value("maxap");
+    data.mostEngagement = values.value("maxae");
+    data.mostChip = values.value("maxchip");
+    data.mostSpindle = values.value("maxrpm");
+    data.mostFeed = values.value("maxfeed");
+    data.mostSurfaceSpeed = values.value("maxvc");
+    data.mostRemoval = values.value("maxmrr");
+    if (data.mostChip > 0 && data.teeth == 0)
+        return failure(cutter_finding::kChipWithoutTeeth);
+    return data;
+}
+
 /// The flutes, if they were given, and the stick-out reach to the top of the profile at least.
 Result<void> checkLengths(const KeyValues& values, const Cutter& cutter) {
     const auto refuse = [&](const FindingRow& row, double length) {
@@ -193,7 +218,10 @@ Result<Cutter> parseCutter(std::string_view spec) {
     auto body = readBody(*values, *profile);
     if (!body)
         return tl::unexpected(std::move(body.error()));
-    Cutter cutter(std::string(trimmed(spec)), std::move(*profile), std::move(*body));
+    const auto data = readData(*values);
+    if (!data)
+        return tl::unexpected(data.error());
+    Cutter cutter(std::string(trimmed(spec)), std::move(*profile), std::move(*body), *data);
     if (auto checked = checkLengths(*values, cutter); !checked)
         return tl::unexpected(std::move(checked.error()));
     return cutter;

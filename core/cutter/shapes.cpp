@@ -38,6 +38,16 @@ constexpr ShapeKey required(ShapeKey key) {
     return key;
 }
 
+constexpr ShapeKey whole(ShapeKey key) {
+    key.whole = true;
+    return key;
+}
+
+/// A limit of the use of a tool.
+constexpr ShapeKey limit(const char* key, const char* label, const char* unit) {
+    return {key, label, unit, 0, 1e6, 0, false};
+}
+
 /// A diameter of one part of a cutter.
 constexpr ShapeKey diameterOf(const char* key, const char* label, double defaultValue,
                               double minimum = kLeastSize) {
@@ -83,6 +93,7 @@ constexpr std::array kTapKeys = {
     kDiameter,
     required(withDefault(kFlatTip, 7)),
     required(withDefault(kLead, 6)),
+    ShapeKey{"pitch", PROVEOUT_TEXT("Core", "Pitch of the thread (0: unknown)"), "mm", 0, 100, 0, false},
 };
 constexpr std::array kThreadMillKeys = {kDiameter, kFlatTip, withDefault(kLead, 0)};
 constexpr std::array kFaceKeys = {
@@ -115,6 +126,8 @@ constexpr std::array kDovetailKeys = {
     kCornerRadius,
 };
 
+constexpr std::string_view kCentreKey = "centre";
+
 constexpr std::array kCommonKeys = {
     ShapeKey{"l", PROVEOUT_TEXT("Core", "Flute length"), "mm", kLeastSize, kLargestSize, 50, false},
     ShapeKey{"sd", PROVEOUT_TEXT("Core", "Shank diameter (0: as the cutter)"), "mm", 0, kLargestSize, 0,
@@ -124,7 +137,19 @@ constexpr std::array kCommonKeys = {
              0, false},
     ShapeKey{"holder", PROVEOUT_TEXT("Core", "Holder, DIAMETERxHEIGHT+… from its face upwards"), "", 0, 0, 0,
              false, "", "40x30+40-60x15"},
+    whole({"z", PROVEOUT_TEXT("Core", "Teeth (0: unknown)"), "", 0, 1000, 0, false}),
+    whole({"centre", PROVEOUT_TEXT("Core", "Centre-cutting (1: yes, 0: no)"), "", 0, 1, 1, false}),
+    ShapeKey{"ramp", PROVEOUT_TEXT("Core", "Steepest ramp into solid material"), "°", 0, 90, 90, false},
+    limit("maxap", PROVEOUT_TEXT("Core", "Maximum axial depth of cut (0: no limit)"), "mm"),
+    limit("maxae", PROVEOUT_TEXT("Core", "Maximum radial engagement (0: no limit)"), "mm"),
+    limit("maxchip", PROVEOUT_TEXT("Core", "Maximum chip thickness (0: no limit)"), "mm"),
+    limit("maxrpm", PROVEOUT_TEXT("Core", "Maximum spindle speed (0: no limit)"), "rpm"),
+    limit("maxfeed", PROVEOUT_TEXT("Core", "Maximum feed rate in a cut (0: no limit)"), "mm/min"),
+    limit("maxvc", PROVEOUT_TEXT("Core", "Maximum surface speed (0: no limit)"), "m/min"),
+    limit("maxmrr", PROVEOUT_TEXT("Core", "Maximum removal rate (0: no limit)"), "cm³/min"),
 };
+
+constexpr bool kNotCentreCutting = false;
 
 constexpr std::array kShapes = {
     CutterShape{"flat", PROVEOUT_TEXT("Core", "Flat end mill"), kDiameterOnly, flatProfile},
@@ -136,15 +161,18 @@ constexpr std::array kShapes = {
     CutterShape{"taperball", PROVEOUT_TEXT("Core", "Tapered ball-end mill"), kTaperBallKeys,
                 taperBallProfile},
     CutterShape{"chamfer", PROVEOUT_TEXT("Core", "Chamfer mill"), kChamferKeys, coneProfile},
-    CutterShape{"face", PROVEOUT_TEXT("Core", "Face mill"), kFaceKeys, faceProfile},
+    CutterShape{"face", PROVEOUT_TEXT("Core", "Face mill"), kFaceKeys, faceProfile, kNotCentreCutting},
     CutterShape{"spot", PROVEOUT_TEXT("Core", "Spot drill"), kSpotKeys, drillProfile},
     CutterShape{"centre", PROVEOUT_TEXT("Core", "Centre drill"), kCentreKeys, centreProfile},
-    CutterShape{"reamer", PROVEOUT_TEXT("Core", "Reamer"), kReamerKeys, reamerProfile},
-    CutterShape{"tap", PROVEOUT_TEXT("Core", "Tap"), kTapKeys, threadProfile},
-    CutterShape{"threadmill", PROVEOUT_TEXT("Core", "Thread mill"), kThreadMillKeys, threadProfile},
+    CutterShape{"reamer", PROVEOUT_TEXT("Core", "Reamer"), kReamerKeys, reamerProfile, kNotCentreCutting},
+    CutterShape{"tap", PROVEOUT_TEXT("Core", "Tap"), kTapKeys, threadProfile, kNotCentreCutting},
+    CutterShape{"threadmill", PROVEOUT_TEXT("Core", "Thread mill"), kThreadMillKeys, threadProfile,
+                kNotCentreCutting},
     CutterShape{"lollipop", PROVEOUT_TEXT("Core", "Lollipop cutter"), kLollipopKeys, lollipopProfile},
-    CutterShape{"tslot", PROVEOUT_TEXT("Core", "T-slot or keyseat cutter"), kSlotKeys, slotProfile},
-    CutterShape{"dovetail", PROVEOUT_TEXT("Core", "Dovetail cutter"), kDovetailKeys, dovetailProfile},
+    CutterShape{"tslot", PROVEOUT_TEXT("Core", "T-slot or keyseat cutter"), kSlotKeys, slotProfile,
+                kNotCentreCutting},
+    CutterShape{"dovetail", PROVEOUT_TEXT("Core", "Dovetail cutter"), kDovetailKeys, dovetailProfile,
+                kNotCentreCutting},
     CutterShape{"form", PROVEOUT_TEXT("Core", "Form cutter"), kFormKeys, formProfile},
 };
 
@@ -163,6 +191,15 @@ const CutterShape* shapeOf(std::string_view spec) {
 
 std::span<const ShapeKey> commonShapeKeys() {
     return kCommonKeys;
+}
+
+std::vector<ShapeKey> keysOf(const CutterShape& shape) {
+    std::vector<ShapeKey> keys(shape.keys.begin(), shape.keys.end());
+    keys.insert(keys.end(), kCommonKeys.begin(), kCommonKeys.end());
+    for (ShapeKey& key : keys)
+        if (std::string_view(key.key) == kCentreKey)
+            key.defaultValue = shape.centreCutting ? 1 : 0;
+    return keys;
 }
 
 const char* labelOfDefault(std::string_view spec, std::string_view key) {

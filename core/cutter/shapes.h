@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/cutter/cutter.h"
@@ -23,6 +24,7 @@ struct ShapeKey {
     const char* defaultText = nullptr;
     /// How a text that a dialog leaves empty may look; null: as `defaultText`.
     const char* example = nullptr;
+    bool whole = false; ///< only whole numbers
 
     [[nodiscard]] bool isText() const { return defaultText != nullptr; }
     [[nodiscard]] const char* exampleText() const { return example != nullptr ? example : defaultText; }
@@ -43,15 +45,18 @@ struct CutterShape {
     /// Makes the profile from the values of `keys`, in the same order. Errors: values that fit no shape
     /// together.
     Result<CutterProfile> (*profile)(const ShapeValues& values);
+    bool centreCutting = true; ///< where the key `centre` is not given
 };
 
 [[nodiscard]] std::span<const CutterShape> cutterShapes();
 /// The row of the shape that a spec names; null where there is none with that name.
 [[nodiscard]] const CutterShape* shapeOf(std::string_view spec);
 
-/// Keys that every shape has: flute length `l`, shank diameter `sd`, shank length `sl`, stick-out `so`, and
-/// `holder`, a text.
+/// Keys that every shape has: flute length `l`, shank diameter `sd`, shank length `sl`, stick-out `so`,
+/// `holder`, a text, and those of CuttingData.
 [[nodiscard]] std::span<const ShapeKey> commonShapeKeys();
+/// All keys of a shape, its own ones first; common ones have the defaults of this shape.
+[[nodiscard]] std::vector<ShapeKey> keysOf(const CutterShape& shape);
 /// The user-facing name of a key of ToolOrigin::defaults: its label in the shape of the spec, or the label of
 /// the shape itself; null if there is no such key. Marked with PROVEOUT_TEXT.
 [[nodiscard]] const char* labelOfDefault(std::string_view spec, std::string_view key);

@@ -146,6 +146,8 @@ TEST_F(CliUsage, ShapesAreListedFromTheirTable) {
     EXPECT_EQ(json["everyShape"][4]["key"], "holder");
     EXPECT_EQ(json["everyShape"][4]["example"], "40x30+40-60x15");
     EXPECT_THAT(text.out, testing::ContainsRegex("Every shape:\n(  .*\n)*  so .*\n  holder .*40x30"));
+    EXPECT_EQ(json["everyShape"].back()["key"], "maxmrr");
+    EXPECT_EQ(json["shapes"][8]["keys"].back()["key"], "centre") << "a face mill is not centre-cutting";
     EXPECT_THAT(text.out, testing::HasSubstr("e.g. 0/0:3/0:4/1@3/1:6/3@-2:6/8 (required)"));
 }
 

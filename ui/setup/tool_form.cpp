@@ -113,7 +113,7 @@ void ToolForm::addKey(const ShapeKey& key) {
 
 QWidget* ToolForm::numberBox(const ShapeKey& key) {
     auto* box = new NumberBox(this);
-    box->setDecimals(3);
+    box->setDecimals(key.whole ? 0 : 3);
     box->setRange(key.minimum, key.maximum);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setSuffix(u' ' + coreText(key.unit));

@@ -16,11 +16,7 @@ const CutterShape& shapeRow(std::string_view shape) {
 }
 
 std::vector<ShapeKey> keysOf(std::string_view shape) {
-    const CutterShape& row = shapeRow(shape);
-    std::vector<ShapeKey> keys(row.keys.begin(), row.keys.end());
-    const auto common = commonShapeKeys();
-    keys.insert(keys.end(), common.begin(), common.end());
-    return keys;
+    return keysOf(shapeRow(shape));
 }
 
 namespace {

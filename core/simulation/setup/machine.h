@@ -15,6 +15,7 @@ struct Machine {
     double rapidXY = 20000; ///< mm/min, of X and of Y separately: a slanted rapid is faster than each
     double rapidZ = 15000;
     double largestFeed = 10000;   ///< mm/min along the path
+    double largestSpindle = 0;    ///< rpm; 0: unknown
     double accelerationXY = 2000; ///< mm/s², of X and of Y separately
     double accelerationZ = 1500;
     double cornerDeviation = 0.02; ///< mm by which a corner may be rounded; 0: stop at each corner
@@ -48,6 +49,15 @@ void describe(Params& machine, Visitor&& visit) {
                 .unit = "mm/min",
                 .help = PROVEOUT_TEXT("Core", "The machine limits the feed rate to this, whatever F says."),
                 .minimum = 1,
+                .maximum = 1e6,
+                .step = 500,
+                .decimals = 0});
+    visit(machine.largestSpindle,
+          Field{.key = "largestSpindle",
+                .label = PROVEOUT_TEXT("Core", "Maximum spindle speed (0: unknown)"),
+                .unit = PROVEOUT_TEXT("Core", "rpm"),
+                .help = PROVEOUT_TEXT("Core", "Programs are checked for higher spindle speeds."),
+                .minimum = 0,
                 .maximum = 1e6,
                 .step = 500,
                 .decimals = 0});

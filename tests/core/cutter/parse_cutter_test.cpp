@@ -47,6 +47,46 @@ TEST(ParseCutter, TakesAStickOutWithoutAHolder) {
         << "as long as the profile is high";
 }
 
+TEST(ParseCutter, ReadsHowAToolMayBeUsed) {
+    const Cutter cutter = parseCutter("flat:d=10,z=4,centre=0,ramp=3.5,maxap=5,maxae=2.5,maxchip=0.05,"
+                                      "maxrpm=12000,maxfeed=2000,maxvc=180,maxmrr=40")
+                              .value();
+    const CuttingData& data = cutter.data();
+    EXPECT_EQ(data.teeth, 4);
+    EXPECT_FALSE(data.centreCutting);
+    EXPECT_EQ(data.steepestRamp, 3.5);
+    EXPECT_EQ(data.mostDepth, 5);
+    EXPECT_EQ(data.mostEngagement, 2.5);
+    EXPECT_EQ(data.mostChip, 0.05);
+    EXPECT_EQ(data.mostSpindle, 12000);
+    EXPECT_EQ(data.mostFeed, 2000);
+    EXPECT_EQ(data.mostSurfaceSpeed, 180);
+    EXPECT_EQ(data.mostRemoval, 40);
+    EXPECT_EQ(parseCutter("tap:d=8,tip=6,lead=3,pitch=1.25").value().data().pitch, 1.25);
+    const CuttingData& none = parseCutter("ball:d=10").value().data();
+    EXPECT_FALSE(none.limitsCut() || none.limitsLoad());
+    EXPECT_EQ(none.steepestRamp, 90);
+}
+
+TEST(ParseCutter, KnowsWhichShapesAreCentreCutting) {
+    std::string notCentreCutting;
+    for (const CutterShape& shape : cutterShapes()) {
+        const Cutter cutter = parseCutter(defaultSpecOf(shape)).value();
+        if (!cutter.data().centreCutting)
+            notCentreCutting += std::string(shape.key) + ' ';
+        EXPECT_TRUE(parseCutter(defaultSpecOf(shape) + ",centre=1").value().data().centreCutting);
+    }
+    EXPECT_EQ(notCentreCutting, "face reamer tap threadmill tslot dovetail ");
+}
+
+TEST(ParseCutter, BoundsTheLoadByChipsVolumeOrDepthAndWidth) {
+    for (const auto& [limits, bounded] :
+         {std::pair{"maxchip=0.1,z=2", true}, std::pair{"maxmrr=9", true}, std::pair{"maxap=2", false},
+          std::pair{"maxae=2", false}, std::pair{"maxap=2,maxae=2", true}, std::pair{"maxrpm=9000", false}})
+        EXPECT_EQ(parseCutter(std::string("flat:d=10,") + limits).value().data().limitsLoad(), bounded)
+            << limits;
+}
+
 TEST(ParseCutter, GivesAShankOfTheCuttersDiameterWhereNoneIsGiven) {
     EXPECT_EQ(parseCutter("flat:d=8").value().shankRadius(), 4);
 }
@@ -92,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Specs, BadCutters,
                                          Bad{"ball:d=-3", "cutter-value-out-of-range", "0.001 to 10000 mm"},
                                          Bad{"ball:d=10,d=11", "cutter-key-twice", "key d"},
                                          Bad{"ball:d=10,r=2", "cutter-key-unknown",
-                                             "there are d, l, sd, sl, so, holder"},
+                                             "there are d, l, sd, sl, so, holder, z, centre, ramp, "},
                                          Bad{"ball:d=10,,l=3", "cutter-key-unknown", "“”"},
                                          Bad{"ball:d=10,l=0", "cutter-value-out-of-range", "l=0"},
                                          Bad{"ball:d=10,l=4", "flutes-too-short", "l=4"},
@@ -103,7 +143,16 @@ INSTANTIATE_TEST_SUITE_P(Specs, BadCutters,
                                          Bad{"cone:d=10,angle=90,tip=10", "tip-too-large", "tip=10"},
                                          Bad{"drill:d=10", "cutter-key-missing", "key angle"},
                                          Bad{"drill:d=10,angle=118,tip=1", "cutter-key-unknown",
-                                             "there are d, angle, l, sd, sl, so, holder"}));
+                                             "there are d, angle, l, sd, sl, so, holder, z, "}));
+
+INSTANTIATE_TEST_SUITE_P(Uses, BadCutters,
+                         testing::Values(Bad{"flat:d=6,maxchip=0.1", "chip-without-teeth", "key z"},
+                                         Bad{"flat:d=6,z=2.5", "cutter-value-not-a-number",
+                                             "“2.5”, is not a whole number"},
+                                         Bad{"flat:d=6,centre=2", "cutter-value-out-of-range", "centre=2"},
+                                         Bad{"flat:d=6,ramp=91", "cutter-value-out-of-range", "0 to 90 °"},
+                                         Bad{"flat:d=6,maxap=-1", "cutter-value-out-of-range", "maxap=-1"},
+                                         Bad{"flat:d=6,pitch=1", "cutter-key-unknown", "“pitch”"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Holders, BadCutters,

@@ -57,6 +57,17 @@ TEST_F(ToolFile, KeepsStickOutAndHolder) {
                 HasSubstr("3:10 “40” is not a segment of a holder"));
 }
 
+TEST_F(ToolFile, KeepsHowAToolMayBeUsed) {
+    const auto tools =
+        read("[[tool]]\nnumber = 1\ncutter = \"flat:d=10,z=3,centre=0,ramp=5,maxap=4,maxchip=0.06\"\n");
+    ASSERT_TRUE(tools) << oneLine(tools.error().front());
+    EXPECT_EQ(tools->find(1)->data().teeth, 3);
+    EXPECT_EQ(tools->find(1)->data().mostChip, 0.06);
+    EXPECT_FALSE(tools->find(1)->data().centreCutting);
+    EXPECT_THAT(reported("[[tool]]\nnumber = 1\ncutter = \"flat:d=10,maxchip=0.06\"\n"),
+                HasSubstr("3:10 A maximum chip thickness, maxchip, needs the key z"));
+}
+
 TEST_F(ToolFile, MayMarkSizesAsNotConfirmed) {
     const auto tools = read("[[tool]]\nnumber = 1\ncutter = \"flat:d=6\"\nsource = \"assumed\"\n"
                             "[[tool]]\nnumber = 2\ncutter = \"flat:d=6\"\nsource = \"given\"\n"
