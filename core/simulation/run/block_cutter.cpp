@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/cutting/cut/core_contact.h"
 #include "core/cutting/cut/overhang.h"
 #include "core/simulation/run/statistics.h"
 #include "core/simulation/run/tool_assemblies.h"
@@ -29,6 +30,13 @@ void judge(const AssemblyContact& contact, bool unconfirmed, std::size_t block, 
     if (contact.holder.depth > 0)
         findings.add(block, FindingKind::holderCollision, contact.holder.depth, unconfirmed,
                      contact.holder.place);
+}
+
+/// Of a motion that plungesWithCore(), on the map before it is cut.
+void judgeCore(const ZMap& zmap, const Cutter& cutter, const Motion& motion, bool unconfirmed,
+               std::size_t block, FindingLog& findings) {
+    if (const PartContact core = coreContact(zmap, cutter, motion); core.depth > 0)
+        findings.add(block, FindingKind::corePlunges, core.depth, unconfirmed);
 }
 
 /// Whether the tool may be over the stock in plan: an axis of unknown position may be anywhere.
@@ -159,8 +167,11 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         if (stop.stop_possible() && !before && (measured || motions.last - motions.first > 1))
             before = zmap.snapshot();
         std::optional<AssemblyContact> contact;
-        if (findings != nullptr)
+        if (findings != nullptr) {
             contact = assemblies.of(*cutter).contact(zmap, motion, stop);
+            if (plungesWithCore(*cutter, motion))
+                judgeCore(zmap, *cutter, motion, isUnconfirmed(motion, setup, tools), block, *findings);
+        }
         std::optional<CutRecord> record;
         if (!stop.stop_requested()) // a motion with little work does not check, but a cycle has thousands
             record = measured ? cutWithHead(zmap, *cutter, motion, overhang, stop)
@@ -214,7 +225,8 @@ public:
 
 private:
     /// Adds the motions of a block to those that wait, unless one of them must be judged on the map of its
-    /// moment: above a head material may remain, and a rapid from an unknown position may end in the stock.
+    /// moment: above a head material may remain, a rapid from an unknown position may end in the stock, and
+    /// the core of a tool may meet it.
     bool needsItsMoment(std::size_t block) {
         const std::size_t waiting = m_waiting.size();
         const auto motions = m_program.blockMotions(block);
@@ -223,8 +235,8 @@ private:
             const Cutter* cutter = cutterOf(motion, m_setup, m_tools);
             if (cutter == nullptr)
                 continue;
-            if (m_findings != nullptr &&
-                (cutter->head() || (motion.kind == MotionKind::rapid && !motion.known()))) {
+            if (m_findings != nullptr && (cutter->head() || plungesWithCore(*cutter, motion) ||
+                                          (motion.kind == MotionKind::rapid && !motion.known()))) {
                 m_waiting.resize(waiting);
                 return true;
             }

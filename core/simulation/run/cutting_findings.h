@@ -86,6 +86,22 @@ inline constexpr FindingRow kShankCollisionUnconfirmed{
     PROVEOUT_TEXT("Core", "The shank collides with the stock, {} mm deep at X{} Y{} Z{}, with the "
                           "unconfirmed tool T{}."),
     kRapidCutsUnconfirmed.hint};
+inline constexpr FindingRow kCorePlunges{
+    Severity::fault,
+    false,
+    "plunge-not-allowed",
+    PROVEOUT_TEXT("Core", "Motion not allowed for tool"),
+    PROVEOUT_TEXT("Core", "The tool plunges {} mm deep into material, but is not centre-cutting."),
+    PROVEOUT_TEXT("Core", "Drill a hole first, go down on a ramp, or set centre=1 for the tool if it may."),
+    SeverityRule::warningIfAssumed};
+inline constexpr FindingRow kCorePlungesUnconfirmed{
+    Severity::warning,
+    true,
+    "plunge-not-allowed",
+    PROVEOUT_TEXT("Core", "Motion not allowed for tool"),
+    PROVEOUT_TEXT("Core", "The plunge goes {} mm deep into material with the unconfirmed tool T{}, which "
+                          "is not centre-cutting."),
+    kRapidCutsUnconfirmed.hint};
 inline constexpr FindingRow kRapidUncheckedStart{
     Severity::error,
     true,
@@ -119,12 +135,10 @@ inline constexpr FindingRow kMoreFindings{
     "",
     SeverityRule::worstOmitted};
 
-inline constexpr std::array kCuttingRows{&kRapidCuts,           &kRapidCutsUnconfirmed,
-                                         &kDepthBeyondFlutes,   &kDepthBeyondFlutesUnconfirmed,
-                                         &kNeckInStock,         &kNeckInStockUnconfirmed,
-                                         &kHolderCollision,     &kHolderCollisionUnconfirmed,
-                                         &kShankCollision,      &kShankCollisionUnconfirmed,
-                                         &kRapidUncheckedStart, &kRapidUncheckedHeight,
-                                         &kOverhangLost,        &kMoreFindings};
+inline constexpr std::array kCuttingRows{
+    &kRapidCuts,           &kRapidCutsUnconfirmed,      &kDepthBeyondFlutes, &kDepthBeyondFlutesUnconfirmed,
+    &kNeckInStock,         &kNeckInStockUnconfirmed,    &kHolderCollision,   &kHolderCollisionUnconfirmed,
+    &kShankCollision,      &kShankCollisionUnconfirmed, &kCorePlunges,       &kCorePlungesUnconfirmed,
+    &kRapidUncheckedStart, &kRapidUncheckedHeight,      &kOverhangLost,      &kMoreFindings};
 
 } // namespace proveout::cutting_finding

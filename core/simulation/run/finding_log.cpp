@@ -38,6 +38,7 @@ constexpr std::array kKindRows{
     KindRows{&cutting_finding::kOverhangLost, nullptr, "mm³"},
     KindRows{&cutting_finding::kHolderCollision, &cutting_finding::kHolderCollisionUnconfirmed},
     KindRows{&cutting_finding::kShankCollision, &cutting_finding::kShankCollisionUnconfirmed},
+    KindRows{&cutting_finding::kCorePlunges, &cutting_finding::kCorePlungesUnconfirmed},
 };
 
 const FindingRow& rowOf(FindingKind kind, bool unconfirmed) {

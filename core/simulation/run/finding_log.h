@@ -24,6 +24,7 @@ enum class FindingKind : std::uint8_t {
                   ///< highest
     holderCollision, ///< the holder is in the stock; value: depth, mm, and the place of the deepest
     shankCollision,  ///< the same of the shank
+    corePlunges,     ///< a tool that is not centre-cutting goes straight down into material; value: depth, mm
 };
 
 /// All findings of one kind with one tool.
@@ -72,7 +73,7 @@ private:
         FindingKind kind;
         Vec3 at;
     };
-    static constexpr std::size_t kKinds = 8;
+    static constexpr std::size_t kKinds = 9;
 
     /// False if a larger value is kept.
     bool keepLarger(std::uint32_t block, FindingKind kind, double value, bool unconfirmed);

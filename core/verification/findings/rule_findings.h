@@ -36,7 +36,8 @@ inline constexpr FindingRow kDrillSideways{
     "plunge-not-allowed",
     "Motion not allowed for tool",
     "The tool moves sideways in material, {} mm deep, but only cuts along its axis.",
-    "Retract above the hole before moving in X or Y, or choose a milling cutter."};
+    "Retract above the hole before moving in X or Y, or choose a milling cutter.",
+    SeverityRule::warningIfAssumed};
 inline constexpr FindingRow kNothingCut{
     Severity::error,
     true,
