@@ -135,6 +135,11 @@ private:
         std::ranges::transform(verdict, verdict.begin(),
                                [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
         fmt::print("{:<10} {}\n", verdict, checked.value("program", std::string()));
+        if (const auto contacts = checked.find("firstContacts"); contacts != checked.end())
+            for (const nlohmann::ordered_json& contact : *contacts)
+                fmt::print("  first contact of T{}: line {}, from X{:.3f} Y{:.3f} Z{:.3f}\n",
+                           contact.value("tool", 0), contact.value("line", 0), contact.value("x", 0.0),
+                           contact.value("y", 0.0), contact.value("z", 0.0));
         for (const nlohmann::ordered_json& entry : checked["notChecked"])
             if (!entry.value("accepted", false))
                 fmt::print("  not checked: {} [{}]\n", entry.value("title", std::string()),

@@ -14,6 +14,8 @@
 #include "core/simulation/setup/tool_proposals.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/findings.h"
+#include "core/verification/findings/rule_findings.h"
+#include "core/verification/rules/tool_comments.h"
 
 namespace proveout::cli {
 
@@ -83,7 +85,11 @@ private:
         const auto text = NcText::load(m_job.program);
         if (!text)
             return tl::unexpected(text.error());
-        addProposals(m_job.setup.tools, proposeTools(*text));
+        const ToolProposals proposals = proposeTools(*text);
+        addProposals(m_job.setup.tools, proposals);
+        if (!m_options.rules.off.contains(rule_finding::kCommentShape.id))
+            for (Diagnostic& differing : differingComments(proposals, m_job.setup.tools))
+                m_job.warnings.push_back(std::move(differing));
         m_program = interpretOn(m_job.setup, *text, interpretOptions(m_job.setup, m_job.program));
         if (m_program->foreignKind() != nullptr)
             return tl::unexpected(m_program->diagnostics());
@@ -170,6 +176,14 @@ nlohmann::ordered_json toJson(const CheckedProgram& checked) {
     for (const NotChecked& entry : checked.report.notChecked)
         notChecked.push_back(
             {{"id", entry.row->id}, {"title", entry.row->title}, {"accepted", entry.accepted}});
+    auto firstContacts = nlohmann::ordered_json::array();
+    for (const auto& [of, line] : checked.report.firstContacts)
+        firstContacts.push_back({{"tool", of.tool},
+                                 {"block", of.block + 1},
+                                 {"line", line},
+                                 {"x", of.start.x},
+                                 {"y", of.start.y},
+                                 {"z", of.start.z}});
     auto inputs = nlohmann::ordered_json::array();
     addInput(inputs, checked.input);
     if (checked.program != checked.input)
@@ -179,6 +193,7 @@ nlohmann::ordered_json toJson(const CheckedProgram& checked) {
             {"exitCode", static_cast<int>(checked.exitCode())},
             {"findings", std::move(findings)},
             {"notChecked", std::move(notChecked)},
+            {"firstContacts", std::move(firstContacts)},
             {"seconds", checked.seconds},
             {"inputs", std::move(inputs)}};
 }

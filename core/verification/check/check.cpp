@@ -46,7 +46,7 @@ public:
         if (m_context.stopped())
             return nullptr;
         m_report.notChecked = notChecked(
-            {m_program, *m_subject.setup, m_tools, m_subject.hasStock, m_subject.machine.has_value()},
+            {m_program, *m_subject.setup, m_tools, m_subject.hasStock, machine()},
             m_rules.accepted);
         m_report.programUnverified = m_program.unverified() || m_program.motionCount() == 0;
         m_context.report(1);
@@ -71,6 +71,9 @@ private:
             return tl::unexpected(std::move(made.error()));
         Simulation& simulation = **made;
         simulation.setCheckpointBudget(0);
+        // Keeps the tiles that will be cut: only where a rule needs them.
+        if (m_rules.limits.rapidClearance > 0)
+            m_begin = simulation.zmap();
         simulation.seek(m_program.blockCount(), m_context.part(0, kCut));
         if (m_context.stopped())
             return {};
@@ -89,13 +92,20 @@ private:
         const CheckedRun run{.program = m_program,
                              .setup = *m_subject.setup,
                              .tools = m_tools,
-                             .machine = m_subject.machine ? &*m_subject.machine : nullptr,
+                             .machine = machine(),
                              .times = times,
                              .rows = simulation.rows(),
+                             .begin = m_begin ? &*m_begin : nullptr,
                              .end = frame.zmap,
                              .removedMm3 = frame.removedMm3};
         for (const RuleFinding& finding : judge(run, m_rules.limits, m_rules.off, m_context.part(kTimed, 1)))
             addOfRule(finding);
+        for (const FirstContact& contact : firstContacts(run))
+            m_report.firstContacts.push_back({contact, lineOf(contact.block)});
+    }
+
+    [[nodiscard]] const Machine* machine() const {
+        return m_subject.machine ? &*m_subject.machine : nullptr;
     }
 
     /// What is known before any block; findings of blocks are added with more about them.
@@ -148,6 +158,7 @@ private:
     const CheckRules& m_rules;
     const WorkContext& m_context;
     ToolChoice m_tools;
+    std::optional<ZMapSnapshot> m_begin;
     CheckReport m_report;
 };
 

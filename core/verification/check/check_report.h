@@ -9,6 +9,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
+#include "core/verification/rules/first_contacts.h"
 #include "core/verification/verdict/verdict.h"
 
 namespace proveout {
@@ -28,10 +29,17 @@ struct CheckFinding {
     friend bool operator==(const CheckFinding&, const CheckFinding&) = default;
 };
 
+/// A first contact with its line.
+struct CheckedContact {
+    FirstContact of;
+    int line = 0;
+};
+
 /// The result of a check. Immutable once made, any thread.
 struct CheckReport {
     std::vector<CheckFinding> findings;
     std::vector<NotChecked> notChecked; ///< what concerns the program
+    std::vector<CheckedContact> firstContacts;
     /// The program itself is unverified, or has no motion.
     bool programUnverified = false;
 

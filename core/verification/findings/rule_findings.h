@@ -38,6 +38,13 @@ inline constexpr FindingRow kDrillSideways{
     "The tool moves sideways in material, {} mm deep, but only cuts along its axis.",
     "Retract above the hole before moving in X or Y, or choose a milling cutter.",
     SeverityRule::warningIfAssumed};
+inline constexpr FindingRow kDrillSidewaysUnconfirmed{
+    Severity::warning,
+    true,
+    "plunge-not-allowed",
+    "Motion not allowed for tool",
+    "The unconfirmed tool moves sideways in material, {} mm deep, but only cuts along its axis.",
+    "Confirm the tool in the tool table, or choose another shape."};
 inline constexpr FindingRow kNothingCut{
     Severity::error,
     true,
@@ -103,9 +110,122 @@ inline constexpr FindingRow kAirCutting{
     "The cutter moves through air at feed for {} s; up to {} s are not reported.",
     "Approach with G0 where it is safe."};
 
-inline constexpr std::array kRuleRows{&kSpindleStopped, &kSpindleReversed,  &kFeedLimit,     &kDrillSideways,
-                                      &kNothingCut,     &kHardlyCuts,       &kUnitsTooLarge, &kUnitsTooSmall,
-                                      &kTableCollision, &kFixtureCollision, &kFixtureNear,   &kLoosePiece,
-                                      &kAirCutting};
+inline constexpr FindingRow kRapidTooClose{
+    Severity::warning,
+    false,
+    "rapid-too-close",
+    "Rapid close to stock",
+    "The rapid move passes the stock {} mm closer than the clearance of {} mm.",
+    "Retract higher before the rapid, or reduce rapidClearance."};
+inline constexpr FindingRow kDepthLimit{
+    Severity::fault,
+    false,
+    "depth-limit",
+    "Axial depth too large",
+    "The axial depth of cut of {} mm is above the maximum of the tool, {} mm.",
+    "Cut in shallower passes, or choose another tool."};
+inline constexpr FindingRow kEngagementLimit{
+    Severity::fault,
+    false,
+    "engagement-limit",
+    "Radial engagement too large",
+    "The radial engagement of {} mm is above the maximum of the tool, {} mm.",
+    "Reduce the stepover, clear corners first, or choose another tool."};
+inline constexpr FindingRow kEngagementJump{Severity::note,
+                                            false,
+                                            "engagement-jump",
+                                            "Radial engagement jumps",
+                                            "From one block to the next the radial engagement more than "
+                                            "doubles, to {} mm; the maximum of the tool is {} mm.",
+                                            "Round the corner, or clear it first."};
+inline constexpr FindingRow kFullSlot{
+    Severity::note,
+    false,
+    "full-slot",
+    "Slot of full width",
+    "The tool cuts {} mm wide, a slot of its full diameter, {} mm; no radial limit is stated for it.",
+    "State maxae for the tool if it may not, or turn this rule off."};
+inline constexpr FindingRow kChipLimit{Severity::fault,
+                                       false,
+                                       "chip-limit",
+                                       "Chips too thick",
+                                       "The chip thickness of {} mm is above the maximum of the tool, {} mm.",
+                                       "Reduce the feed rate, or raise the spindle speed."};
+inline constexpr FindingRow kSurfaceSpeed{
+    Severity::fault,
+    false,
+    "surface-speed",
+    "Surface speed too high",
+    "The surface speed of {} m/min is above the maximum of the tool, {} m/min.",
+    "Reduce the spindle speed."};
+inline constexpr FindingRow kRemovalRate{Severity::fault,
+                                         false,
+                                         "removal-rate-limit",
+                                         "Removal rate too high",
+                                         "The tool removes {} cm³/min; its maximum is {} cm³/min.",
+                                         "Reduce the feed rate, the depth or the stepover."};
+inline constexpr FindingRow kToolFeedLimit{
+    Severity::fault,
+    false,
+    "tool-feed-limit",
+    "Feed above tool maximum",
+    "The tool cuts at a feed rate of {} mm/min; its maximum is {} mm/min.",
+    "Reduce F, or correct maxfeed of the tool."};
+inline constexpr FindingRow kToolSpindleLimit{Severity::fault,
+                                              false,
+                                              "tool-spindle-limit",
+                                              "Spindle above tool maximum",
+                                              "The tool turns at {} rpm; its maximum is {} rpm.",
+                                              "Reduce S, or correct maxrpm of the tool."};
+inline constexpr FindingRow kSpindleLimit{
+    Severity::warning,
+    false,
+    "spindle-limit",
+    "Spindle speed too high",
+    "The spindle speed of {} rpm is above the maximum of the machine, {} rpm.",
+    "Reduce S, or correct the machine values."};
+inline constexpr FindingRow kRampTooSteep{
+    Severity::fault,
+    false,
+    "ramp-too-steep",
+    "Ramp too steep",
+    "The tool goes down into material at {}°; its steepest ramp is {}°.",
+    "Lengthen the ramp or the helix, or drill a hole for the tool first."};
+inline constexpr FindingRow kTapFeed{
+    Severity::fault,
+    false,
+    "tap-feed",
+    "Tap out of step",
+    "The tap moves at a feed rate of {} mm/min; its pitch and the spindle speed need {} mm/min.",
+    "Program F as pitch times spindle speed, or the pitch in G95."};
+inline constexpr FindingRow kTapNotReversed{
+    Severity::fault,
+    false,
+    "tap-not-reversed",
+    "Tap not reversed",
+    "The tap is retracted from a thread {} mm deep without reversing the spindle.",
+    "Tap with G84, G74 or G33.1; turn this rule off for a reversing tap holder."};
+
+inline constexpr FindingRow kCommentDiameter{
+    Severity::warning,
+    false,
+    "tool-comment-differs",
+    "Tool differs from comment",
+    "The comment describes T{} as ⌀ {} mm; the tool table has ⌀ {} mm.",
+    "Load the tool that the program was made for, or correct the comment."};
+inline constexpr FindingRow kCommentShape{Severity::warning,
+                                          false,
+                                          "tool-comment-differs",
+                                          "Tool differs from comment",
+                                          "The comment describes T{} as “{}”; the tool table has “{}”.",
+                                          kCommentDiameter.hint};
+
+inline constexpr std::array kRuleRows{
+    &kSpindleStopped, &kSpindleReversed,  &kFeedLimit,     &kDrillSideways, &kDrillSidewaysUnconfirmed,
+    &kNothingCut,     &kHardlyCuts,       &kUnitsTooLarge, &kUnitsTooSmall, &kTableCollision,
+    &kFixtureCollision, &kFixtureNear, &kLoosePiece,     &kAirCutting,       &kRapidTooClose, &kDepthLimit,    &kEngagementLimit,
+    &kEngagementJump, &kFullSlot,         &kChipLimit,     &kSurfaceSpeed,  &kRemovalRate,
+    &kToolFeedLimit,  &kToolSpindleLimit, &kSpindleLimit,  &kRampTooSteep,  &kTapFeed,
+    &kTapNotReversed, &kCommentDiameter,  &kCommentShape};
 
 } // namespace proveout::rule_finding

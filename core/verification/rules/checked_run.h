@@ -22,6 +22,7 @@ struct CheckedRun {
     const Machine* machine; ///< null: not given, and nothing is judged by it
     const MachineTimes& times;
     const PersistentArray<BlockStatistics>& rows; ///< all recorded, one for each block
+    const ZMapSnapshot* begin;                    ///< the uncut stock; null: not kept
     const ZMapSnapshot& end;                      ///< the stock that is left
     double removedMm3;
 

@@ -7,6 +7,7 @@
 
 #include "core/cutter/shapes.h"
 #include "core/verification/findings/rule_findings.h"
+#include "core/verification/rules/feed_cuts.h"
 #include "core/verification/rules/rules.h"
 
 namespace proveout {
@@ -41,12 +42,6 @@ bool cutsAlongAxisOnly(const Cutter* cutter) {
     return shape != nullptr && std::ranges::find(kShapes, std::string_view(shape->key)) != kShapes.end();
 }
 
-bool movesInPlan(const Motion& motion) {
-    constexpr double kSideways = 0.01; // mm, as a control rounds the end of a compensated or rotated motion
-    const Box3 box = bounds(motion);
-    return std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) > kSideways;
-}
-
 } // namespace
 
 void judgeStoppedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
@@ -55,14 +50,23 @@ void judgeStoppedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings&
 }
 
 void judgeReversedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
-    addCutting(run, rule_finding::kSpindleReversed, out,
-               [](const Motion& motion) { return motion.spindleRpm < 0; });
+    addCutting(run, rule_finding::kSpindleReversed, out, [&](const Motion& motion) {
+        return motion.spindleRpm < 0 && !isTap(run.setup.tools.find(run.tools.tool(motion.tool)));
+    });
 }
 
 void judgeSidewaysDrill(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
-    addCutting(run, rule_finding::kDrillSideways, out, [&](const Motion& motion) {
-        return movesInPlan(motion) && cutsAlongAxisOnly(run.setup.tools.find(run.tools.tool(motion.tool)));
-    });
+    // The shape of a tool that is not confirmed may be wrong: an end mill is called a drill in many comments.
+    for (const bool unconfirmed : {false, true}) {
+        const FindingRow& row =
+            unconfirmed ? rule_finding::kDrillSidewaysUnconfirmed : rule_finding::kDrillSideways;
+        addCutting(run, row, out, [&](const Motion& motion) {
+            const int tool = run.tools.tool(motion.tool);
+            const bool isUnconfirmed = run.setup.tools.unconfirmedOrigin(tool) != nullptr;
+            return movesInPlan(motion) && isUnconfirmed == unconfirmed &&
+                   cutsAlongAxisOnly(run.setup.tools.find(tool));
+        });
+    }
 }
 
 void judgeFeedLimit(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {

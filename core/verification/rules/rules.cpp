@@ -16,7 +16,7 @@ using namespace rule_finding;
 constexpr std::array<const FindingRow*, 1> kOfStoppedSpindle{&kSpindleStopped};
 constexpr std::array<const FindingRow*, 1> kOfReversedSpindle{&kSpindleReversed};
 constexpr std::array<const FindingRow*, 1> kOfFeed{&kFeedLimit};
-constexpr std::array<const FindingRow*, 1> kOfDrill{&kDrillSideways};
+constexpr std::array<const FindingRow*, 2> kOfDrill{&kDrillSideways, &kDrillSidewaysUnconfirmed};
 constexpr std::array<const FindingRow*, 2> kOfRemoval{&kNothingCut, &kHardlyCuts};
 constexpr std::array<const FindingRow*, 2> kOfUnits{&kUnitsTooLarge, &kUnitsTooSmall};
 constexpr std::array<const FindingRow*, 1> kOfRoom{&kTableCollision};
@@ -24,6 +24,20 @@ constexpr std::array<const FindingRow*, 1> kOfFixtures{&kFixtureCollision};
 constexpr std::array<const FindingRow*, 1> kOfClearance{&kFixtureNear};
 constexpr std::array<const FindingRow*, 1> kOfPieces{&kLoosePiece};
 constexpr std::array<const FindingRow*, 1> kOfAir{&kAirCutting};
+constexpr std::array<const FindingRow*, 1> kOfClearance{&kRapidTooClose};
+constexpr std::array<const FindingRow*, 1> kOfDepth{&kDepthLimit};
+constexpr std::array<const FindingRow*, 1> kOfEngagement{&kEngagementLimit};
+constexpr std::array<const FindingRow*, 1> kOfJumps{&kEngagementJump};
+constexpr std::array<const FindingRow*, 1> kOfSlots{&kFullSlot};
+constexpr std::array<const FindingRow*, 1> kOfChips{&kChipLimit};
+constexpr std::array<const FindingRow*, 1> kOfSurface{&kSurfaceSpeed};
+constexpr std::array<const FindingRow*, 1> kOfRate{&kRemovalRate};
+constexpr std::array<const FindingRow*, 1> kOfToolFeed{&kToolFeedLimit};
+constexpr std::array<const FindingRow*, 1> kOfToolSpindle{&kToolSpindleLimit};
+constexpr std::array<const FindingRow*, 1> kOfSpindle{&kSpindleLimit};
+constexpr std::array<const FindingRow*, 1> kOfRamps{&kRampTooSteep};
+constexpr std::array<const FindingRow*, 1> kOfTapFeed{&kTapFeed};
+constexpr std::array<const FindingRow*, 1> kOfTapOut{&kTapNotReversed};
 
 constexpr std::array kRules{
     Rule{kOfStoppedSpindle, "mm", judgeStoppedSpindle},
@@ -37,6 +51,20 @@ constexpr std::array kRules{
     Rule{kOfClearance, "mm", judgeFixtureClearance},
     Rule{kOfPieces, "mm³", judgeLoosePieces},
     Rule{kOfAir, "s", judgeAirCutting},
+    Rule{kOfClearance, "mm", judgeClearance},
+    Rule{kOfDepth, "mm", judgeDepth},
+    Rule{kOfEngagement, "mm", judgeEngagement},
+    Rule{kOfJumps, "mm", judgeEngagementJumps},
+    Rule{kOfSlots, "mm", judgeFullSlots},
+    Rule{kOfChips, "mm", judgeChips},
+    Rule{kOfSurface, "m/min", judgeSurfaceSpeed},
+    Rule{kOfRate, "cm³/min", judgeRemovalRate},
+    Rule{kOfToolFeed, "mm/min", judgeToolFeed},
+    Rule{kOfToolSpindle, "rpm", judgeToolSpindle},
+    Rule{kOfSpindle, "rpm", judgeSpindleLimit},
+    Rule{kOfRamps, "°", judgeRamps},
+    Rule{kOfTapFeed, "mm/min", judgeTapFeed},
+    Rule{kOfTapOut, "mm", judgeTapOut},
 };
 
 } // namespace

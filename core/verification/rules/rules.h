@@ -25,6 +25,8 @@ struct RuleLimits {
     double airSeconds = 10;
     double looseVolume = 1;
     double fixtureClearance = 1;
+    double tapFeedError = 1;
+    double rapidClearance = 0; ///< 0: rapids may come as close as they like
 
     friend bool operator==(const RuleLimits&, const RuleLimits&) = default;
 };
@@ -66,6 +68,21 @@ void describe(Params& limits, Visitor&& visit) {
                 .label = "Clearance of fixtures",
                 .unit = "mm",
                 .help = "A tool that comes nearer to a fixture is reported, across and upwards.",
+                .minimum = 0,
+                .maximum = 1000,
+                .step = 0.5});
+    visit(limits.tapFeedError, Field{.key = "tapFeedError",
+                                     .label = "Feed of taps",
+                                     .unit = "%",
+                                     .help = "How far the feed of a tap may be from its pitch.",
+                                     .minimum = 0,
+                                     .maximum = 100,
+                                     .step = 0.5});
+    visit(limits.rapidClearance,
+          Field{.key = "rapidClearance",
+                .label = "Clearance of rapids",
+                .unit = "mm",
+                .help = "Rapids that pass less than this above the stock are reported; 0: none.",
                 .minimum = 0,
                 .maximum = 1000,
                 .step = 0.5});
@@ -134,5 +151,19 @@ void judgeRoomBelow(const CheckedRun& run, const RuleLimits& limits, RuleFinding
 void judgeFixtures(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeFixtureClearance(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeLoosePieces(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeClearance(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeDepth(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeEngagement(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeChips(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeSurfaceSpeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeRemovalRate(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeFullSlots(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeEngagementJumps(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeToolFeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeToolSpindle(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeSpindleLimit(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeRamps(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeTapFeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeTapOut(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 
 } // namespace proveout

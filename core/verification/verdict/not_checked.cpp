@@ -18,7 +18,11 @@ bool lacksStock(const CheckScope& scope) {
 }
 
 bool lacksMachine(const CheckScope& scope) {
-    return !scope.hasMachine;
+    return scope.machine == nullptr;
+}
+
+bool lacksSpindleMaximum(const CheckScope& scope) {
+    return scope.machine != nullptr && scope.machine->largestSpindle == 0;
 }
 
 bool lacksFixtures(const CheckScope& scope) {
@@ -60,14 +64,20 @@ bool lacksShank(const CheckScope& scope) {
            anyCutter(scope, [](const Cutter& cutter) { return !cutter.body().shankGiven; });
 }
 
+bool lacksToolLimits(const CheckScope& scope) {
+    return !scope.hasStock ||
+           anyCutter(scope, [](const Cutter& cutter) { return !cutter.data().limitsLoad(); });
+}
+
 constexpr std::array kRows{
     NotCheckedRow{"stock-not-given", "Everything that needs a stock", lacksStock},
     NotCheckedRow{"holder-not-given", "Collisions of the tool holder", lacksHolder},
     NotCheckedRow{"shank-not-given", "Collisions of the shank", lacksShank},
     NotCheckedRow{"fixtures-not-given", "Collisions with fixtures", lacksFixtures},
     NotCheckedRow{"travel-not-given", "Travel limits of the machine", always},
-    NotCheckedRow{"machine-not-given", "Maximum feed rate of the machine", lacksMachine},
-    NotCheckedRow{"tool-limits-not-given", "Load of the tools", always},
+    NotCheckedRow{"machine-not-given", "Maximum feed rate and spindle speed of the machine", lacksMachine},
+    NotCheckedRow{"largest-spindle-not-given", "Maximum spindle speed of the machine", lacksSpindleMaximum},
+    NotCheckedRow{"tool-limits-not-given", "Load of the tools", lacksToolLimits},
     NotCheckedRow{"undercuts", "Undercuts", undercuts},
     NotCheckedRow{"probing", "Moves that depend on probing", probes},
     NotCheckedRow{"manual-stops", "What the operator does at a program stop", stopsForTheOperator},

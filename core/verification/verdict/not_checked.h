@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/nc/program/program.h"
+#include "core/simulation/setup/machine.h"
 #include "core/simulation/setup/setup.h"
 #include "core/simulation/setup/tool_choice.h"
 
@@ -19,8 +20,8 @@ struct CheckScope {
     const Program& program;
     const Setup& setup;
     const ToolChoice& tools;
-    bool hasStock;   ///< it was run on a stock
-    bool hasMachine; ///< the values of the machine were given
+    bool hasStock;          ///< it was run on a stock
+    const Machine* machine; ///< its values; null: not given
 };
 
 struct NotCheckedRow {
