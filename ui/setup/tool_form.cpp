@@ -82,8 +82,11 @@ void ToolForm::chooseShape(int index) {
     ToolSpec chosen = readSpec(cutterShapes()[static_cast<std::size_t>(index)].key);
     const std::vector<ShapeKey> before = keysOf(m_spec.shape);
     for (const ShapeKey& key : keysOf(chosen.shape)) {
-        // What both shapes have (diameter, lengths, holder) is kept.
-        if (sameKey(before, key) == nullptr)
+        // What both shapes have (diameter, lengths, holder) is kept, but not a default that was left as it
+        // is.
+        const ShapeKey* same = sameKey(before, key);
+        if (same == nullptr ||
+            (!key.isText() && !key.required && m_spec.values[key.key] == same->defaultValue))
             continue;
         if (key.isText())
             chosen.texts[key.key] = m_spec.texts[key.key];

@@ -56,6 +56,9 @@ void judgeReversedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings
 }
 
 void judgeSidewaysDrill(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
+    if (std::ranges::none_of(run.setup.tools.tools(),
+                             [](const auto& tool) { return cutsAlongAxisOnly(&tool.second); }))
+        return;
     // The shape of a tool that is not confirmed may be wrong: an end mill is called a drill in many comments.
     for (const bool unconfirmed : {false, true}) {
         const FindingRow& row =

@@ -68,6 +68,18 @@ TEST(AssemblyFindings, AShankIsCheckedWhereItIsGiven) {
                 ElementsAre("3 depth-beyond-flutes 7.000"));
 }
 
+TEST(AssemblyFindings, AToolThatIsNotCentreCuttingMustNotPlungeIntoMaterial) {
+    const auto setup = setupWithTool(1, "flat:d=4,centre=0");
+    EXPECT_THAT(described(collisionsOf("T1 M6\nG0 X20 Y15 Z5\nG1 Z-3 F100\nG0 Z5\nG1 Z-3\nZ-4\n", setup)),
+                ElementsAre("3 plunge-not-allowed 3.000", "6 plunge-not-allowed 1.000"))
+        << "not where it has cut before";
+    EXPECT_THAT(described(collisionsOf("T1 M6\nG0 X20 Y15 Z5\nG83 Z-5 R2 Q1 F100\nG80\n", setup)),
+                ElementsAre("3 plunge-not-allowed 1.000"))
+        << "each peck is as deep";
+    EXPECT_THAT(described(collisionsOf("T1 M6\nG0 X20 Y15 Z0\nG1 X24 Z-1 F100\nX20\n", setup)),
+                ElementsAre());
+}
+
 TEST(AssemblyFindings, OfRapidsArcsAndCyclesAreFoundToo) {
     const auto setup = setupWithTool(1, "flat:d=4,so=5,holder=9x20");
     EXPECT_THAT(described(collisionsOf("T1 M6\nG0 X20 Y15 Z5\nG81 Z-5.5 R2 F100\nX30\nG80\n", setup)),
@@ -149,10 +161,11 @@ TEST(AssemblyFindings, OfManyBlocksAtOnceAreThoseOfSingleBlocks) {
     auto setup = std::make_shared<proveout::Setup>(*smallSetup(0.4));
     int number = 1;
     for (const char* spec : {"ball:d=4,so=6,holder=12x20", "flat:d=3,l=4,sd=5",
-                             "bull:d=6,r=1,so=7,holder=8-20x6", "ball:d=6,so=5,holder=7x1+12x30",
+                             "bull:d=6,r=1,so=7,holder=8-20x6,centre=0", "ball:d=6,so=5,holder=7x1+12x30",
                              "drill:d=5,angle=118,so=9,holder=20x9", "lollipop:d=4,neck=2,so=5,holder=9x9"})
         setup->tools.set(number++, parseCutter(spec).value());
     std::size_t found = 0;
+    std::size_t plunges = 0;
     for (int round = 0; round < roundsOf(30); ++round) {
         const auto program = programOf(collidingProgram(random(), 200));
         const ToolChoice tools(*program, *setup);
@@ -183,8 +196,12 @@ TEST(AssemblyFindings, OfManyBlocksAtOnceAreThoseOfSingleBlocks) {
         found += std::ranges::count_if(findings, [](const Diagnostic& finding) {
             return std::string_view(finding.id).ends_with("-collision");
         });
+        plunges += std::ranges::count_if(findings, [](const Diagnostic& finding) {
+            return std::string_view(finding.id) == "plunge-not-allowed";
+        });
     }
     EXPECT_GT(found, 10U);
+    EXPECT_GT(plunges, 10U);
 }
 
 TEST(AssemblyFindings, AreTheSameAfterAnySeek) {

@@ -69,6 +69,19 @@ private slots:
         QCOMPARE(writeSpec(form.spec()), std::string("ball:d=10,so=40,holder=40x30"));
     }
 
+    void anotherShapeHasItsOwnDefaults() {
+        ToolForm form;
+        form.show(readSpec("flat:d=8"));
+        QCOMPARE(form.spec().values.at("centre"), 1.0);
+        choose(form, "face");
+        QCOMPARE(form.spec().values.at("centre"), 0.0);
+        box<QDoubleSpinBox>(form, "centre").setValue(1);
+        choose(form, "tslot");
+        QCOMPARE(form.spec().values.at("centre"), 1.0);
+        choose(form, "ball");
+        QCOMPARE(writeSpec(form.spec()), std::string("ball:d=8"));
+    }
+
     void aProfileIsEditedAsText() {
         ToolForm form;
         form.show(readSpec("form:p=0/0:3/0:4/1@1,l=20"));
