@@ -48,6 +48,26 @@ bool isSameDiameter(double stated, double given) {
     return std::abs(stated - given) <= std::max(0.03, 0.01 * given);
 }
 
+/// Where a comment and a tool that was given differ; null: nowhere.
+const FindingRow* differenceOf(const Cutter& stated, const ToolOrigin& origin, const Cutter& given) {
+    const ShapeKind one = kindOf(shapeOf(stated.spec()));
+    const ShapeKind other = kindOf(shapeOf(given.spec()));
+    const bool kinds = origin.states("shape") && one.kind != Kind::any && other.kind != Kind::any;
+    if (kinds && one.kind != other.kind)
+        return &rule_finding::kCommentShape;
+    const bool diameters = one.hasDiameter && other.hasDiameter;
+    return diameters && !isSameDiameter(2 * stated.radius(), 2 * given.radius())
+               ? &rule_finding::kCommentDiameter
+               : nullptr;
+}
+
+/// What the sentence of a difference says of a cutter.
+Argument described(const FindingRow& row, const Cutter& cutter) {
+    if (&row == &rule_finding::kCommentShape)
+        return shapeOf(cutter.spec())->label;
+    return figures("{:.6g}", 2 * cutter.radius());
+}
+
 } // namespace
 
 Diagnostics differingComments(const ToolProposals& proposals, const ToolTable& tools) {
@@ -58,23 +78,13 @@ Diagnostics differingComments(const ToolProposals& proposals, const ToolTable& t
         if (given == nullptr || origin == nullptr || tools.unconfirmedOrigin(number) != nullptr ||
             !proposals.called.contains(number))
             continue;
-        const CutterShape* statedShape = shapeOf(stated.spec());
-        const CutterShape* givenShape = shapeOf(given->spec());
-        const ShapeKind one = kindOf(statedShape);
-        const ShapeKind other = kindOf(givenShape);
-        const bool kinds = origin->states("shape") && one.kind != Kind::any && other.kind != Kind::any;
-        const auto add = [&](const FindingRow& row, Argument first, Argument second) {
-            Diagnostic difference =
-                diagnosticOf(row, {std::to_string(number), std::move(first), std::move(second)});
-            difference.where = {static_cast<int>(origin->line), 1, 0};
-            out.push_back(std::move(difference));
-        };
-        if (kinds && one.kind != other.kind)
-            add(rule_finding::kCommentShape, statedShape->label, givenShape->label);
-        else if (one.hasDiameter && other.hasDiameter &&
-                 !isSameDiameter(2 * stated.radius(), 2 * given->radius()))
-            add(rule_finding::kCommentDiameter, figures("{:.6g}", 2 * stated.radius()),
-                figures("{:.6g}", 2 * given->radius()));
+        const FindingRow* row = differenceOf(stated, *origin, *given);
+        if (row == nullptr)
+            continue;
+        Diagnostic difference =
+            diagnosticOf(*row, {std::to_string(number), described(*row, stated), described(*row, *given)});
+        difference.where = {static_cast<int>(origin->line), 1, 0};
+        out.push_back(std::move(difference));
     }
     return out;
 }
