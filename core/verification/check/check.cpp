@@ -46,8 +46,7 @@ public:
         if (m_context.stopped())
             return nullptr;
         m_report.notChecked = notChecked(
-            {m_program, *m_subject.setup, m_tools, m_subject.hasStock, machine()},
-            m_rules.accepted);
+            {m_program, *m_subject.setup, m_tools, m_subject.hasStock, machine()}, m_rules.accepted);
         m_report.programUnverified = m_program.unverified() || m_program.motionCount() == 0;
         m_context.report(1);
         return std::make_shared<const CheckReport>(std::move(m_report));
@@ -104,9 +103,7 @@ private:
             m_report.firstContacts.push_back({contact, lineOf(contact.block)});
     }
 
-    [[nodiscard]] const Machine* machine() const {
-        return m_subject.machine ? &*m_subject.machine : nullptr;
-    }
+    [[nodiscard]] const Machine* machine() const { return m_subject.machine ? &*m_subject.machine : nullptr; }
 
     /// What is known before any block; findings of blocks are added with more about them.
     void addAboutSetup(const Diagnostics& diagnostics) {

@@ -221,11 +221,11 @@ inline constexpr FindingRow kCommentShape{Severity::warning,
                                           kCommentDiameter.hint};
 
 inline constexpr std::array kRuleRows{
-    &kSpindleStopped, &kSpindleReversed,  &kFeedLimit,     &kDrillSideways, &kDrillSidewaysUnconfirmed,
-    &kNothingCut,     &kHardlyCuts,       &kUnitsTooLarge, &kUnitsTooSmall, &kTableCollision,
-    &kFixtureCollision, &kFixtureNear, &kLoosePiece,     &kAirCutting,       &kRapidTooClose, &kDepthLimit,    &kEngagementLimit,
-    &kEngagementJump, &kFullSlot,         &kChipLimit,     &kSurfaceSpeed,  &kRemovalRate,
-    &kToolFeedLimit,  &kToolSpindleLimit, &kSpindleLimit,  &kRampTooSteep,  &kTapFeed,
-    &kTapNotReversed, &kCommentDiameter,  &kCommentShape};
+    &kSpindleStopped,   &kSpindleReversed, &kFeedLimit,      &kDrillSideways,    &kDrillSidewaysUnconfirmed,
+    &kNothingCut,       &kHardlyCuts,      &kUnitsTooLarge,  &kUnitsTooSmall,    &kTableCollision,
+    &kFixtureCollision, &kFixtureNear,     &kLoosePiece,     &kAirCutting,       &kRapidTooClose,
+    &kDepthLimit,       &kEngagementLimit, &kEngagementJump, &kFullSlot,         &kChipLimit,
+    &kSurfaceSpeed,     &kRemovalRate,     &kToolFeedLimit,  &kToolSpindleLimit, &kSpindleLimit,
+    &kRampTooSteep,     &kTapFeed,         &kTapNotReversed, &kCommentDiameter,  &kCommentShape};
 
 } // namespace proveout::rule_finding

@@ -21,7 +21,7 @@ constexpr std::array<const FindingRow*, 2> kOfRemoval{&kNothingCut, &kHardlyCuts
 constexpr std::array<const FindingRow*, 2> kOfUnits{&kUnitsTooLarge, &kUnitsTooSmall};
 constexpr std::array<const FindingRow*, 1> kOfRoom{&kTableCollision};
 constexpr std::array<const FindingRow*, 1> kOfFixtures{&kFixtureCollision};
-constexpr std::array<const FindingRow*, 1> kOfClearance{&kFixtureNear};
+constexpr std::array<const FindingRow*, 1> kOfFixtureClearance{&kFixtureNear};
 constexpr std::array<const FindingRow*, 1> kOfPieces{&kLoosePiece};
 constexpr std::array<const FindingRow*, 1> kOfAir{&kAirCutting};
 constexpr std::array<const FindingRow*, 1> kOfClearance{&kRapidTooClose};
@@ -48,7 +48,7 @@ constexpr std::array kRules{
     Rule{kOfUnits, "", judgeUnits},
     Rule{kOfRoom, "mm", judgeRoomBelow},
     Rule{kOfFixtures, "mm", judgeFixtures},
-    Rule{kOfClearance, "mm", judgeFixtureClearance},
+    Rule{kOfFixtureClearance, "mm", judgeFixtureClearance},
     Rule{kOfPieces, "mm³", judgeLoosePieces},
     Rule{kOfAir, "s", judgeAirCutting},
     Rule{kOfClearance, "mm", judgeClearance},
