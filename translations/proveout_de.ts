@@ -7714,6 +7714,26 @@ Vorgabe: 0 mm</translation>
         <source>The shank collides with the stock, {} mm deep at X{} Y{} Z{}, with the unconfirmed tool T{}.</source>
         <translation>Der Schaft kollidiert mit dem Rohteil, {} mm tief bei X{} Y{} Z{}, mit dem unbestätigten Werkzeug T{}.</translation>
     </message>
+    <message>
+        <source>Not checked: not enough memory</source>
+        <translation>Nicht geprüft: zu wenig Speicher</translation>
+    </message>
+    <message>
+        <source>The program is not checked: that needs {}, but only {} are available.</source>
+        <translation>Das Programm ist nicht geprüft: Dafür werden {} gebraucht, verfügbar sind nur {}.</translation>
+    </message>
+    <message>
+        <source>Choose a coarser grid, or close other programs.</source>
+        <translation>Wählen Sie ein gröberes Raster, oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to check the program.</source>
+        <translation>Der Speicher reicht nicht aus, um das Programm zu prüfen.</translation>
+    </message>
+    <message>
+        <source>The check failed: {}.</source>
+        <translation>Die Prüfung ist gescheitert: {}.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>

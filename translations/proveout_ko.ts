@@ -7714,6 +7714,26 @@ Default: 0 mm</source>
         <source>The shank collides with the stock, {} mm deep at X{} Y{} Z{}, with the unconfirmed tool T{}.</source>
         <translation>생크가 소재와 충돌합니다(깊이 {} mm, 위치 X{} Y{} Z{}, 확인되지 않은 공구 T{}).</translation>
     </message>
+    <message>
+        <source>Not checked: not enough memory</source>
+        <translation>검사 안 됨: 메모리 부족</translation>
+    </message>
+    <message>
+        <source>The program is not checked: that needs {}, but only {} are available.</source>
+        <translation>프로그램을 검사하지 않았습니다: {}이(가) 필요하지만 {}만 사용할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Choose a coarser grid, or close other programs.</source>
+        <translation>더 거친 격자를 선택하거나 다른 프로그램을 닫으십시오.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to check the program.</source>
+        <translation>프로그램을 검사하기에 메모리가 부족합니다.</translation>
+    </message>
+    <message>
+        <source>The check failed: {}.</source>
+        <translation>검사에 실패했습니다: {}.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>

@@ -54,4 +54,9 @@ void runApart(void (*work)(const void* body), const void* body) {
     tbb::this_task_arena::isolate([&] { work(body); });
 }
 
+void runOnThisThread(void (*work)(const void* body), const void* body) {
+    tbb::task_arena alone(1); // its only place is for the caller
+    alone.execute([&] { work(body); });
+}
+
 } // namespace proveout::parallel_detail

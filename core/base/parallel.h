@@ -13,6 +13,7 @@ namespace parallel_detail {
 using Work = void (*)(const void* body, std::size_t first, std::size_t last);
 void run(std::size_t count, std::size_t grain, Work work, const void* body);
 void runApart(void (*work)(const void* body), const void* body);
+void runOnThisThread(void (*work)(const void* body), const void* body);
 } // namespace parallel_detail
 
 /// Calls `body(first, last)` for ranges that together are [0, count), several at once, and returns when all
@@ -43,6 +44,12 @@ void inParallel(std::size_t count, const Body& body) {
 template<class Body>
 void apart(const Body& body) {
     parallel_detail::runApart([](const void* work) { (*static_cast<const Body*>(work))(); }, &body);
+}
+
+/// Calls `body()`. Loops within it use this thread alone, whatever its priority is.
+template<class Body>
+void onThisThread(const Body& body) {
+    parallel_detail::runOnThisThread([](const void* work) { (*static_cast<const Body*>(work))(); }, &body);
 }
 
 /// The largest of `valueOf(k)` for all k below `count`; at least 0. `valuesOfTask` are found one after the

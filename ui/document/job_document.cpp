@@ -332,6 +332,11 @@ void JobDocument::replaceSetup(std::shared_ptr<const Setup> setup) {
         m_parameters.regionCells = defaultRegionHere(m_parameters.method);
 }
 
+bool JobDocument::stockFitted() const {
+    return m_jobFile.isEmpty() && m_setup->stock == m_saved.setup->stock &&
+           m_setup->shape == m_saved.setup->shape;
+}
+
 void JobDocument::setParameters(const DecimationParameters& parameters) {
     ++m_revision;
     if (parameters.regionCells != m_parameters.regionCells || parameters.method != m_parameters.method)

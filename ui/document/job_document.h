@@ -84,6 +84,9 @@ public:
     /// Whether the stock must still be fitted to the program, because neither a job nor the user has defined
     /// it.
     [[nodiscard]] bool wantsStock() const { return m_wantsStock; }
+    /// Whether the stock is one that was fitted to the program, because neither a job nor the user has
+    /// defined it.
+    [[nodiscard]] bool stockFitted() const;
     /// Whether setup or parameters have changes that are not in a job file.
     [[nodiscard]] bool jobModified() const;
     /// Whether the tool table has such changes.

@@ -43,6 +43,7 @@ ProgramHub::ProgramHub(const DocumentHub& document, ProblemsHub& problems, WorkH
         m_work.set(WorkKind::reading, {});
         m_begun = false; // no more signals follow
         m_problems.report(errors);
+        emit failed(errors);
     });
 }
 

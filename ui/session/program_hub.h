@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "core/base/diagnostic.h"
 #include "core/nc/program/program.h"
 #include "core/simulation/setup/tool_proposals.h"
 #include "core/simulation/time/machine_time.h"
@@ -61,6 +62,8 @@ signals:
     /// For the session, emitted before changed(). `whole`: false if the rest is still being read. `more`: the
     /// previous program was the beginning of this one.
     void arrived(bool whole, bool more);
+    /// The text could not be interpreted; emitted instead of arrived() and changed().
+    void failed(const Diagnostics& errors);
     /// Results about current() are void, because the text, the setup or the program has changed.
     void outdated();
 

@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "ui/session/breakpoint_list.h"
+#include "ui/session/check_hub.h"
 #include "ui/session/document_hub.h"
 #include "ui/session/export_hub.h"
 #include "ui/session/job_hub.h"
@@ -45,6 +46,8 @@ public:
     [[nodiscard]] const PlaybackHub& playback() const { return m_playback; }
     [[nodiscard]] NavigationHub& navigation() { return m_navigation; }
     [[nodiscard]] const NavigationHub& navigation() const { return m_navigation; }
+    [[nodiscard]] CheckHub& check() { return m_check; }
+    [[nodiscard]] const CheckHub& check() const { return m_check; }
     [[nodiscard]] ExportHub& exports() { return m_exports; }
     [[nodiscard]] const ExportHub& exports() const { return m_exports; }
 
@@ -64,6 +67,7 @@ private:
     JobHub m_job{m_document, m_program, m_playback};
     StockFileHub m_stockFile{m_job, m_problems};
     NavigationHub m_navigation{{m_program, m_simulation, m_playback, m_problems, m_work}};
+    CheckHub m_check{m_document, m_program, m_job};
     ExportHub m_exports{{m_document, m_program, m_simulation, m_problems, m_work}};
 };
 

@@ -31,6 +31,7 @@ struct CheckSubject {
     std::shared_ptr<const Setup> setup;     ///< an automatic grid is settled
     std::optional<Machine> machine = {};    ///< empty: not given, and nothing is judged by it
     bool hasStock = true;                   ///< otherwise only the program text is judged
+    bool stockFitted = false;               ///< the stock is only fitted to the toolpath
     Diagnostics warnings = {};              ///< about the job; they come first in the report
 };
 

@@ -17,6 +17,20 @@ inline constexpr FindingRow kCheckNeedsMemory{
     PROVEOUT_TEXT("Core", "The program is not checked: that needs {}, but only {} are available."),
     PROVEOUT_TEXT("Core", "Choose a coarser grid, or close other programs.")};
 
-inline constexpr std::array kCheckRows{&kCheckNeedsMemory};
+inline constexpr FindingRow kCheckOutOfMemory{
+    Severity::error,
+    false,
+    "out-of-memory",
+    PROVEOUT_TEXT("Core", "Out of memory"),
+    PROVEOUT_TEXT("Core", "There is not enough memory to check the program."),
+    PROVEOUT_TEXT("Core", "Choose a coarser grid, or close other programs.")};
+inline constexpr FindingRow kCheckFailed{Severity::error,
+                                         false,
+                                         "internal-error",
+                                         PROVEOUT_TEXT("Core", "Internal error"),
+                                         PROVEOUT_TEXT("Core", "The check failed: {}."),
+                                         ""};
+
+inline constexpr std::array kCheckRows{&kCheckNeedsMemory, &kCheckOutOfMemory, &kCheckFailed};
 
 } // namespace proveout::check_finding

@@ -17,6 +17,10 @@ bool lacksStock(const CheckScope& scope) {
     return !scope.hasStock;
 }
 
+bool fittedStock(const CheckScope& scope) {
+    return scope.hasStock && scope.stockFitted;
+}
+
 bool lacksMachine(const CheckScope& scope) {
     return scope.machine == nullptr;
 }
@@ -71,6 +75,8 @@ bool lacksToolLimits(const CheckScope& scope) {
 
 constexpr std::array kRows{
     NotCheckedRow{"stock-not-given", "Everything that needs a stock", lacksStock},
+    NotCheckedRow{"stock-fitted", "Size and position of the stock, which is fitted to the toolpath",
+                  fittedStock},
     NotCheckedRow{"holder-not-given", "Collisions of the tool holder", lacksHolder},
     NotCheckedRow{"shank-not-given", "Collisions of the shank", lacksShank},
     NotCheckedRow{"fixtures-not-given", "Collisions with fixtures", lacksFixtures},

@@ -22,6 +22,7 @@ struct CheckScope {
     const ToolChoice& tools;
     bool hasStock;          ///< it was run on a stock
     const Machine* machine; ///< its values; null: not given
+    bool stockFitted;       ///< nobody has given the stock: it is fitted to the toolpath
 };
 
 struct NotCheckedRow {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "tests/random_seed.h"
@@ -48,6 +49,19 @@ TEST(Parallel, FindsTheLargest) {
         ASSERT_EQ(largestInParallel(values.size(), valuesOfTask, [&](std::size_t k) { return values[k]; }),
                   largest);
     }
+}
+
+TEST(Parallel, StaysOnThisThreadWhereThatIsWanted) {
+    std::vector<std::thread::id> threads(2000);
+    onThisThread([&] {
+        inParallel(threads.size(), [&](std::size_t k) {
+            volatile double work = 0;
+            for (int i = 0; i < 20'000; ++i)
+                work = work + i; // long enough for others to take a part
+            threads[k] = std::this_thread::get_id();
+        });
+    });
+    EXPECT_EQ(std::ranges::count(threads, std::this_thread::get_id()), 2000);
 }
 
 TEST(Parallel, LoopsInLoops) {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/check_hub.h"
+
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "core/base/memory.h"
+#include "core/base/parallel.h"
+#include "core/base/thread_priority.h"
+#include "core/verification/check/check.h"
+#include "core/verification/findings/check_findings.h"
+#include "ui/session/document_hub.h"
+#include "ui/session/job_hub.h"
+#include "ui/session/program_hub.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kPauseMs = 400;
+constexpr int kProgressSteps = 100;
+
+using CheckResult = Result<std::shared_ptr<const CheckReport>>;
+
+CheckResult checkOnOneThread(const CheckSubject& subject, const CheckRules& rules, std::uint64_t memoryBytes,
+                             const WorkContext& context) {
+    CheckResult result;
+    try {
+        onThisThread([&] { result = check(subject, rules, memoryBytes, context); });
+    } catch (const std::bad_alloc&) {
+        result = failure(check_finding::kCheckOutOfMemory);
+    } catch (const std::exception& exception) {
+        result = failure(check_finding::kCheckFailed, {exception.what()});
+    }
+    return result;
+}
+
+} // namespace
+
+CheckHub::CheckHub(const DocumentHub& document, const ProgramHub& program, const JobHub& job)
+    : m_document(document), m_program(program), m_job(job) {
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPauseMs);
+    connect(&m_pause, &QTimer::timeout, this, &CheckHub::begin);
+    connect(&program, &ProgramHub::outdated, this, &CheckHub::restart);
+    connect(&program, &ProgramHub::changed, this, &CheckHub::restart);
+    connect(&program, &ProgramHub::failed, this,
+            [this](const Diagnostics& errors) { finish(tl::unexpected(errors)); });
+    connect(&job, &JobHub::setupChanged, this, &CheckHub::restart);
+    connect(&job, &JobHub::machineChanged, this, &CheckHub::restart);
+}
+
+void CheckHub::setAccepted(std::set<std::string> accepted) {
+    m_accepted = std::move(accepted);
+    if (m_report)
+        m_report = std::make_shared<const CheckReport>(m_report->accepting(m_accepted));
+    emit changed();
+}
+
+void CheckHub::setMemoryLimit(std::uint64_t bytes) {
+    m_memoryLimit = bytes;
+    restart();
+}
+
+void CheckHub::setOn(bool on) {
+    m_on = on;
+    restart();
+}
+
+/// Cancels the check, and begins again once there is a program that has not changed for a moment.
+void CheckHub::restart() {
+    m_task.cancel();
+    m_pause.stop();
+    m_report.reset();
+    m_refusal.clear();
+    m_progress.reset();
+    if (m_on && m_document.isOpen()) {
+        m_progress = 0;
+        if (m_program.current() && m_program.isUpToDate() && !m_program.isReading())
+            m_pause.start();
+    }
+    emit changed();
+}
+
+void CheckHub::begin() {
+    if (m_program.isForeign())
+        return finish(tl::unexpected(m_program.current()->diagnostics()));
+    const CheckSubject subject{.program = m_program.current(),
+                               .setup = m_document.job().setup(),
+                               .machine = m_job.machine(),
+                               .stockFitted = m_document.job().stockFitted()};
+    const std::uint64_t memory = m_memoryLimit.value_or(memoryLimitBytes() / 2);
+    m_task.start([this, subject, memory](const NewestTask::Reply& reply) {
+        lowerThreadPriority();
+        const auto report = [this, &reply, last = 0](double done) mutable {
+            const int step = static_cast<int>(done * kProgressSteps);
+            if (std::exchange(last, step) == step)
+                return;
+            reply.post([this, done] {
+                m_progress = done;
+                emit progressed();
+            });
+        };
+        auto result = checkOnOneThread(subject, {}, memory, {reply.stop, report});
+        if (!reply.stop.stop_requested())
+            reply.post([this, result = std::move(result)] { finish(result); });
+    });
+}
+
+void CheckHub::finish(const CheckResult& result) {
+    m_progress.reset();
+    if (result)
+        m_report = std::make_shared<const CheckReport>((*result)->accepting(m_accepted));
+    else
+        m_refusal = result.error();
+    emit changed();
+}
+
+} // namespace proveout
