@@ -7734,6 +7734,46 @@ Vorgabe: 0 mm</translation>
         <source>The check failed: {}.</source>
         <translation>Die Prüfung ist gescheitert: {}.</translation>
     </message>
+    <message>
+        <source>Everything that needs a stock</source>
+        <translation>Alles, wofür ein Rohteil nötig ist</translation>
+    </message>
+    <message>
+        <source>Collisions of the tool holder</source>
+        <translation>Kollisionen des Halters</translation>
+    </message>
+    <message>
+        <source>Collisions of the shank</source>
+        <translation>Kollisionen des Schafts</translation>
+    </message>
+    <message>
+        <source>Collisions with fixtures</source>
+        <translation>Kollisionen mit Spannmitteln</translation>
+    </message>
+    <message>
+        <source>Travel limits of the machine</source>
+        <translation>Verfahrgrenzen der Maschine</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate of the machine</source>
+        <translation>Größter Vorschub der Maschine</translation>
+    </message>
+    <message>
+        <source>Load of the tools</source>
+        <translation>Belastung der Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Moves that depend on probing</source>
+        <translation>Bewegungen, die vom Antasten abhängen</translation>
+    </message>
+    <message>
+        <source>What the operator does at a program stop</source>
+        <translation>Was der Bediener bei einem Programmhalt tut</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -9957,6 +9997,68 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>&amp;Redo %1</source>
         <translation>&amp;Wiederholen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>The whole program was checked; no faults were found.</source>
+        <translation>Das ganze Programm ist geprüft; kein Fehler wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>Nicht geprüft: %1.</translation>
+    </message>
+    <message>
+        <source>Accepted without a check: %1.</source>
+        <translation>Ohne Prüfung akzeptiert: %1.</translation>
+    </message>
+    <message>
+        <source>Checking… %1 %</source>
+        <translation>Prüfung … %1 %</translation>
+    </message>
+    <message>
+        <source>SAFE</source>
+        <translation>SICHER</translation>
+    </message>
+    <message>
+        <source>FAULTS %1</source>
+        <translation>FEHLER %1</translation>
+    </message>
+    <message>
+        <source>UNVERIFIED</source>
+        <translation>UNGEPRÜFT</translation>
+    </message>
+    <message>
+        <source>Not checked: needs %1</source>
+        <translation>Nicht geprüft: braucht %1</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>The whole program is being checked in the background.</source>
+        <translation>Das ganze Programm wird im Hintergrund geprüft.</translation>
+    </message>
+    <message>
+        <source>Line %1, block %2: %3</source>
+        <translation>Zeile %1, Satz %2: %3</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictBadge</name>
+    <message>
+        <source>Click to see all findings.</source>
+        <translation>Klicken, um alle Befunde zu sehen.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Urteil: %1</translation>
     </message>
 </context>
 <context>

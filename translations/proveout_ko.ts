@@ -7734,6 +7734,46 @@ Default: 0 mm</source>
         <source>The check failed: {}.</source>
         <translation>검사에 실패했습니다: {}.</translation>
     </message>
+    <message>
+        <source>Everything that needs a stock</source>
+        <translation>소재가 필요한 모든 항목</translation>
+    </message>
+    <message>
+        <source>Collisions of the tool holder</source>
+        <translation>홀더 충돌</translation>
+    </message>
+    <message>
+        <source>Collisions of the shank</source>
+        <translation>생크 충돌</translation>
+    </message>
+    <message>
+        <source>Collisions with fixtures</source>
+        <translation>고정구와의 충돌</translation>
+    </message>
+    <message>
+        <source>Travel limits of the machine</source>
+        <translation>기계의 이동 한계</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate of the machine</source>
+        <translation>기계의 최대 이송 속도</translation>
+    </message>
+    <message>
+        <source>Load of the tools</source>
+        <translation>공구 부하</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>언더컷</translation>
+    </message>
+    <message>
+        <source>Moves that depend on probing</source>
+        <translation>프로빙에 따라 달라지는 이동</translation>
+    </message>
+    <message>
+        <source>What the operator does at a program stop</source>
+        <translation>프로그램 정지에서 작업자가 하는 일</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -9956,6 +9996,68 @@ Default: the next free number</source>
     <message>
         <source>&amp;Redo %1</source>
         <translation>%1 다시 실행(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>The whole program was checked; no faults were found.</source>
+        <translation>프로그램 전체를 검사했으며 결함이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Not checked: %1.</source>
+        <translation>검사하지 않은 항목: %1.</translation>
+    </message>
+    <message>
+        <source>Accepted without a check: %1.</source>
+        <translation>검사 없이 승인된 항목: %1.</translation>
+    </message>
+    <message>
+        <source>Checking… %1 %</source>
+        <translation>검사 중… %1 %</translation>
+    </message>
+    <message>
+        <source>SAFE</source>
+        <translation>안전</translation>
+    </message>
+    <message>
+        <source>FAULTS %1</source>
+        <translation>결함 %1</translation>
+    </message>
+    <message>
+        <source>UNVERIFIED</source>
+        <translation>검증되지 않음</translation>
+    </message>
+    <message>
+        <source>Not checked: needs %1</source>
+        <translation>검사 안 됨: %1 필요</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>검사 안 됨</translation>
+    </message>
+    <message>
+        <source>The whole program is being checked in the background.</source>
+        <translation>프로그램 전체를 백그라운드에서 검사하고 있습니다.</translation>
+    </message>
+    <message>
+        <source>Line %1, block %2: %3</source>
+        <translation>%1줄, 블록 %2: %3</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>%1줄: %2</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictBadge</name>
+    <message>
+        <source>Click to see all findings.</source>
+        <translation>클릭하면 모든 검사 결과를 볼 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>판정: %1</translation>
     </message>
 </context>
 <context>

@@ -92,10 +92,10 @@ MeaningColors meaningColors(const QPalette& palette) {
     if (isDark(palette))
         return {QColor("#ff8a7a"), QColor("#f2c14e"), QColor("#8fb8de"), QColor("#4fa8f0"),
                 QColor("#b79cf0"), QColor("#7fc4ff"), QColor("#d7dce2"), QColor("#8fae8b"),
-                QColor("#f2668f"), QColor("#4fc4a3"), QColor("#96691a")};
+                QColor("#f2668f"), QColor("#4fc4a3"), QColor("#96691a"), QColor("#7ccf8d")};
     return {QColor("#b3261e"), QColor("#8a5a00"), QColor("#2d5d8c"), QColor("#1f6aa8"),
             QColor("#6b46b8"), QColor("#0b5394"), QColor("#1b2026"), QColor("#4a6b46"),
-            QColor("#c2185b"), QColor("#00564a"), QColor("#c07d00")};
+            QColor("#c2185b"), QColor("#00564a"), QColor("#c07d00"), QColor("#1d6b34")};
 }
 
 QColor severityColor(const MeaningColors& colors, Severity severity) {

@@ -30,6 +30,7 @@ struct MeaningColors {
     QColor cutting; ///< parts of the program that cut; air cuts and rapids are lighter, or darker in the dark
                     ///< theme
     QColor air;     ///< air cuts at feed rate
+    QColor safe;    ///< checked, and nothing was found
 };
 [[nodiscard]] MeaningColors meaningColors(const QPalette& palette);
 [[nodiscard]] QColor severityColor(const MeaningColors& colors, Severity severity);

@@ -52,6 +52,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     }
     m_menus = new WindowMenus(*this, *m_undo, *m_playback);
     m_toolBar = new WindowToolBar(*this);
+    connect(m_toolBar, &WindowToolBar::findingsWanted, this, [this] { m_docks->activate(kProblemsPanel); });
     m_state = std::make_unique<WindowState>(*this, *m_docks, m_menus->layouts(), session.playback());
     followSession();
     followFiles();

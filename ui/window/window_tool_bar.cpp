@@ -4,6 +4,7 @@
 #include <QToolButton>
 
 #include "ui/window/main_window.h"
+#include "ui/window/verdict_badge.h"
 #include "ui/window/window_commands.h"
 
 namespace proveout {
@@ -26,7 +27,21 @@ WindowToolBar::WindowToolBar(MainWindow& window) : QToolBar(&window) {
     }
     for (QToolButton* button : findChildren<QToolButton*>())
         button->setFocusPolicy(Qt::TabFocus);
+    addVerdict(window);
     window.addToolBar(this);
+}
+
+/// At the right end.
+void WindowToolBar::addVerdict(MainWindow& window) {
+    auto* space = new QWidget(this);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(space);
+    auto* badge = new VerdictBadge(window.session(), this);
+    QAction* place = addWidget(badge);
+    const auto show = [place, badge] { place->setVisible(badge->hasVerdict()); };
+    connect(badge, &VerdictBadge::shown, place, show);
+    connect(badge, &VerdictBadge::clicked, this, &WindowToolBar::findingsWanted);
+    show();
 }
 
 void WindowToolBar::retranslate() {

@@ -7,7 +7,8 @@ namespace proveout {
 
 class MainWindow;
 
-/// The tool bar of the window, with commands that are also in its menus. It cannot be moved. Thread: UI.
+/// The tool bar of the window, with commands that are also in its menus, and the verdict. It cannot be moved.
+/// Thread: UI.
 class WindowToolBar final : public QToolBar {
     Q_OBJECT
 
@@ -15,6 +16,13 @@ public:
     /// Adds itself to `window`, whose menus must exist already.
     explicit WindowToolBar(MainWindow& window);
     void retranslate();
+
+signals:
+    /// A click on the verdict.
+    void findingsWanted();
+
+private:
+    void addVerdict(MainWindow& window);
 };
 
 } // namespace proveout

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/decimation/regions/region_decimator.h"
 #include "core/simulation/run/cutting_findings.h"
@@ -180,7 +181,8 @@ Result<std::shared_ptr<const CheckReport>> check(const CheckSubject& subject, co
         return tl::unexpected(needed.error());
     if (*needed > static_cast<double>(memoryBytes))
         return failure(check_finding::kCheckNeedsMemory,
-                       {readableBytes(*needed), readableBytes(static_cast<double>(memoryBytes))});
+                       {figures("{}", readableBytes(*needed)),
+                        figures("{}", readableBytes(static_cast<double>(memoryBytes)))});
     return Check(subject, rules, context).run();
 }
 

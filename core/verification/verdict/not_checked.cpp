@@ -5,6 +5,8 @@
 #include <array>
 #include <variant>
 
+#include "core/base/text.h"
+
 namespace proveout {
 
 namespace {
@@ -74,19 +76,22 @@ bool lacksToolLimits(const CheckScope& scope) {
 }
 
 constexpr std::array kRows{
-    NotCheckedRow{"stock-not-given", "Everything that needs a stock", lacksStock},
+    NotCheckedRow{"stock-not-given", PROVEOUT_TEXT("Core", "Everything that needs a stock"), lacksStock},
     NotCheckedRow{"stock-fitted", "Size and position of the stock, which is fitted to the toolpath",
                   fittedStock},
-    NotCheckedRow{"holder-not-given", "Collisions of the tool holder", lacksHolder},
-    NotCheckedRow{"shank-not-given", "Collisions of the shank", lacksShank},
-    NotCheckedRow{"fixtures-not-given", "Collisions with fixtures", lacksFixtures},
-    NotCheckedRow{"travel-not-given", "Travel limits of the machine", always},
-    NotCheckedRow{"machine-not-given", "Maximum feed rate and spindle speed of the machine", lacksMachine},
-    NotCheckedRow{"largest-spindle-not-given", "Maximum spindle speed of the machine", lacksSpindleMaximum},
-    NotCheckedRow{"tool-limits-not-given", "Load of the tools", lacksToolLimits},
-    NotCheckedRow{"undercuts", "Undercuts", undercuts},
-    NotCheckedRow{"probing", "Moves that depend on probing", probes},
-    NotCheckedRow{"manual-stops", "What the operator does at a program stop", stopsForTheOperator},
+    NotCheckedRow{"holder-not-given", PROVEOUT_TEXT("Core", "Collisions of the tool holder"), lacksHolder},
+    NotCheckedRow{"shank-not-given", PROVEOUT_TEXT("Core", "Collisions of the shank"), lacksShank},
+    NotCheckedRow{"fixtures-not-given", PROVEOUT_TEXT("Core", "Collisions with fixtures"), lacksFixtures},
+    NotCheckedRow{"travel-not-given", PROVEOUT_TEXT("Core", "Travel limits of the machine"), always},
+    NotCheckedRow{"machine-not-given", PROVEOUT_TEXT("Core", "Maximum feed rate and spindle speed of the machine"),
+                  lacksMachine},
+    NotCheckedRow{"largest-spindle-not-given", PROVEOUT_TEXT("Core", "Maximum spindle speed of the machine"),
+                  lacksSpindleMaximum},
+    NotCheckedRow{"tool-limits-not-given", PROVEOUT_TEXT("Core", "Load of the tools"), lacksToolLimits},
+    NotCheckedRow{"undercuts", PROVEOUT_TEXT("Core", "Undercuts"), undercuts},
+    NotCheckedRow{"probing", PROVEOUT_TEXT("Core", "Moves that depend on probing"), probes},
+    NotCheckedRow{"manual-stops", PROVEOUT_TEXT("Core", "What the operator does at a program stop"),
+                  stopsForTheOperator},
 };
 
 } // namespace

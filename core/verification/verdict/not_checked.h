@@ -27,7 +27,7 @@ struct CheckScope {
 
 struct NotCheckedRow {
     const char* id;    ///< stable, kebab-case
-    const char* title; ///< what is not checked
+    const char* title; ///< what is not checked; marked with PROVEOUT_TEXT
     bool (*concerns)(const CheckScope& scope);
 };
 [[nodiscard]] std::span<const NotCheckedRow> notCheckedRows();
