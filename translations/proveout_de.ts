@@ -7774,6 +7774,122 @@ Vorgabe: 0 mm</translation>
         <source>What the operator does at a program stop</source>
         <translation>Was der Bediener bei einem Programmhalt tut</translation>
     </message>
+    <message>
+        <source>Spindle stopped</source>
+        <translation>Spindel steht</translation>
+    </message>
+    <message>
+        <source>The cutter cuts {} mm deep while the spindle is stopped.</source>
+        <translation>Der Fräser fräst {} mm tief, während die Spindel steht.</translation>
+    </message>
+    <message>
+        <source>Program M3 with a speed S before the cut.</source>
+        <translation>M3 mit einer Drehzahl S vor dem Schnitt programmieren.</translation>
+    </message>
+    <message>
+        <source>Spindle reversed</source>
+        <translation>Spindel dreht rückwärts</translation>
+    </message>
+    <message>
+        <source>The cutter cuts {} mm deep while the spindle turns counterclockwise (M4).</source>
+        <translation>Der Fräser fräst {} mm tief, während die Spindel gegen den Uhrzeigersinn dreht (M4).</translation>
+    </message>
+    <message>
+        <source>Program M3, or use a left-hand tool and turn this rule off.</source>
+        <translation>M3 programmieren, oder ein linksdrehendes Werkzeug verwenden und diese Regel ausschalten.</translation>
+    </message>
+    <message>
+        <source>Feed rate too high</source>
+        <translation>Vorschub zu hoch</translation>
+    </message>
+    <message>
+        <source>The feed rate of {} mm/min is above the maximum of the machine, {} mm/min.</source>
+        <translation>Der Vorschub von {} mm/min liegt über dem Höchstwert der Maschine, {} mm/min.</translation>
+    </message>
+    <message>
+        <source>Reduce F, or correct the machine values.</source>
+        <translation>F verringern oder die Maschinenwerte berichtigen.</translation>
+    </message>
+    <message>
+        <source>Motion not allowed for tool</source>
+        <translation>Bewegung für das Werkzeug unzulässig</translation>
+    </message>
+    <message>
+        <source>The tool moves sideways in material, {} mm deep, but only cuts along its axis.</source>
+        <translation>Das Werkzeug bewegt sich seitwärts im Material, {} mm tief, schneidet aber nur in Achsrichtung.</translation>
+    </message>
+    <message>
+        <source>Retract above the hole before moving in X or Y, or choose a milling cutter.</source>
+        <translation>Vor Bewegungen in X oder Y über die Bohrung zurückziehen, oder einen Fräser wählen.</translation>
+    </message>
+    <message>
+        <source>Nothing cut</source>
+        <translation>Kein Abtrag</translation>
+    </message>
+    <message>
+        <source>The program does not touch the stock.</source>
+        <translation>Das Programm berührt das Rohteil nicht.</translation>
+    </message>
+    <message>
+        <source>Check the position and the size of the stock, the work offset and the tools.</source>
+        <translation>Lage und Größe des Rohteils, Nullpunktverschiebung und Werkzeuge prüfen.</translation>
+    </message>
+    <message>
+        <source>The program removes only {} % of the stock, less than {} %.</source>
+        <translation>Das Programm trägt nur {} % des Rohteils ab, weniger als {} %.</translation>
+    </message>
+    <message>
+        <source>Wrong unit suspected</source>
+        <translation>Vermutlich falsche Maßeinheit</translation>
+    </message>
+    <message>
+        <source>The cuts extend over {} times the size of the stock, about as many as an inch has millimetres.</source>
+        <translation>Die Schnitte erstrecken sich über das {}-Fache des Rohteils, etwa so viel, wie ein Zoll Millimeter hat.</translation>
+    </message>
+    <message>
+        <source>Check G20 and G21, and the unit of the stock.</source>
+        <translation>G20 und G21 sowie die Maßeinheit des Rohteils prüfen.</translation>
+    </message>
+    <message>
+        <source>The stock is {} times the size of the cuts, about as many as an inch has millimetres.</source>
+        <translation>Das Rohteil ist {}-mal so groß wie die Schnitte, etwa so viel, wie ein Zoll Millimeter hat.</translation>
+    </message>
+    <message>
+        <source>Cutter below stock</source>
+        <translation>Fräser unter dem Rohteil</translation>
+    </message>
+    <message>
+        <source>The cutter goes {} mm below the bottom of the stock; {} mm are allowed.</source>
+        <translation>Der Fräser fährt {} mm unter die Unterseite des Rohteils; erlaubt sind {} mm.</translation>
+    </message>
+    <message>
+        <source>Raise the cut, place the stock higher, or allow more if there is room below.</source>
+        <translation>Den Schnitt anheben, das Rohteil höher setzen oder mehr erlauben, wenn darunter Platz ist.</translation>
+    </message>
+    <message>
+        <source>Piece comes loose</source>
+        <translation>Teil löst sich</translation>
+    </message>
+    <message>
+        <source>A piece of {} mm³ has come loose from the rest of the stock.</source>
+        <translation>Ein Teil von {} mm³ hat sich vom übrigen Rohteil gelöst.</translation>
+    </message>
+    <message>
+        <source>Leave tabs, or turn this rule off if the piece is held.</source>
+        <translation>Stege stehen lassen, oder diese Regel ausschalten, wenn das Teil gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Feeding in air</source>
+        <translation>Vorschub in der Luft</translation>
+    </message>
+    <message>
+        <source>The cutter moves through air at feed for {} s; up to {} s are not reported.</source>
+        <translation>Der Fräser fährt {} s lang im Vorschub durch die Luft; bis {} s werden nicht gemeldet.</translation>
+    </message>
+    <message>
+        <source>Approach with G0 where it is safe.</source>
+        <translation>Wo es sicher ist, mit G0 anfahren.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8889,6 +9005,38 @@ Vorgabe: 0 mm</translation>
         <source>Results after this are unverified.</source>
         <translation>Die Ergebnisse danach sind ungeprüft.</translation>
     </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Akzeptiert</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Check it yourself; then accept it in the context menu.</source>
+        <translation>Selbst prüfen; dann im Kontextmenü akzeptieren.</translation>
+    </message>
+    <message>
+        <source>Lines %1 to %2, %3 times.</source>
+        <translation>Zeilen %1 bis %2, %3-mal.</translation>
+    </message>
+    <message>
+        <source>Largest value: %1; limit: %2 %3.</source>
+        <translation>Größter Wert: %1; Grenze: %2 %3.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsPanel</name>
@@ -8931,6 +9079,30 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Ignore All Unknown M Codes of This Program</source>
         <translation>Alle unbekannten M-Befehle dieses Programms ignorieren</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Checking the program; no problems so far.</source>
+        <translation>Das Programm wird geprüft; bisher keine Probleme.</translation>
+    </message>
+    <message>
+        <source>Accept Without a Check, for All Programs</source>
+        <translation>Ohne Prüfung akzeptieren, für alle Programme</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter the problems</source>
+        <translation>Probleme filtern</translation>
+    </message>
+    <message>
+        <source>Show only the rows that contain this text</source>
+        <translation>Nur Zeilen zeigen, die diesen Text enthalten</translation>
     </message>
 </context>
 <context>

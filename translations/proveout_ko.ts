@@ -7774,6 +7774,122 @@ Default: 0 mm</source>
         <source>What the operator does at a program stop</source>
         <translation>프로그램 정지에서 작업자가 하는 일</translation>
     </message>
+    <message>
+        <source>Spindle stopped</source>
+        <translation>주축 정지</translation>
+    </message>
+    <message>
+        <source>The cutter cuts {} mm deep while the spindle is stopped.</source>
+        <translation>주축이 정지된 상태에서 공구가 {} mm 깊이로 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Program M3 with a speed S before the cut.</source>
+        <translation>절삭 전에 회전수 S와 함께 M3을 지령하십시오.</translation>
+    </message>
+    <message>
+        <source>Spindle reversed</source>
+        <translation>주축 역회전</translation>
+    </message>
+    <message>
+        <source>The cutter cuts {} mm deep while the spindle turns counterclockwise (M4).</source>
+        <translation>주축이 반시계 방향(M4)으로 회전하는 상태에서 공구가 {} mm 깊이로 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Program M3, or use a left-hand tool and turn this rule off.</source>
+        <translation>M3을 지령하거나, 왼쪽 날 공구를 사용하고 이 규칙을 끄십시오.</translation>
+    </message>
+    <message>
+        <source>Feed rate too high</source>
+        <translation>이송 속도 초과</translation>
+    </message>
+    <message>
+        <source>The feed rate of {} mm/min is above the maximum of the machine, {} mm/min.</source>
+        <translation>이송 속도 {} mm/min이(가) 기계의 최댓값 {} mm/min을(를) 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Reduce F, or correct the machine values.</source>
+        <translation>F를 줄이거나 기계 값을 수정하십시오.</translation>
+    </message>
+    <message>
+        <source>Motion not allowed for tool</source>
+        <translation>공구에 허용되지 않는 이동</translation>
+    </message>
+    <message>
+        <source>The tool moves sideways in material, {} mm deep, but only cuts along its axis.</source>
+        <translation>공구가 소재 속 {} mm 깊이에서 옆으로 이동하지만, 이 공구는 축 방향으로만 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Retract above the hole before moving in X or Y, or choose a milling cutter.</source>
+        <translation>X 또는 Y로 이동하기 전에 구멍 위로 후퇴하거나 밀링 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Nothing cut</source>
+        <translation>절삭 없음</translation>
+    </message>
+    <message>
+        <source>The program does not touch the stock.</source>
+        <translation>프로그램이 소재에 닿지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Check the position and the size of the stock, the work offset and the tools.</source>
+        <translation>소재의 위치와 크기, 공작물 좌표계, 공구를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The program removes only {} % of the stock, less than {} %.</source>
+        <translation>프로그램이 소재의 {} %만 제거합니다({} % 미만).</translation>
+    </message>
+    <message>
+        <source>Wrong unit suspected</source>
+        <translation>단위 오류 의심</translation>
+    </message>
+    <message>
+        <source>The cuts extend over {} times the size of the stock, about as many as an inch has millimetres.</source>
+        <translation>절삭 범위가 소재 크기의 {}배로, 1인치당 밀리미터 수와 비슷합니다.</translation>
+    </message>
+    <message>
+        <source>Check G20 and G21, and the unit of the stock.</source>
+        <translation>G20과 G21, 소재의 단위를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The stock is {} times the size of the cuts, about as many as an inch has millimetres.</source>
+        <translation>소재가 절삭 범위의 {}배로, 1인치당 밀리미터 수와 비슷합니다.</translation>
+    </message>
+    <message>
+        <source>Cutter below stock</source>
+        <translation>소재 아래로 내려간 공구</translation>
+    </message>
+    <message>
+        <source>The cutter goes {} mm below the bottom of the stock; {} mm are allowed.</source>
+        <translation>공구가 소재 바닥보다 {} mm 아래로 내려갑니다. 허용값은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Raise the cut, place the stock higher, or allow more if there is room below.</source>
+        <translation>절삭을 높이거나 소재를 더 높이 놓으십시오. 아래에 공간이 있으면 더 허용하십시오.</translation>
+    </message>
+    <message>
+        <source>Piece comes loose</source>
+        <translation>조각 분리</translation>
+    </message>
+    <message>
+        <source>A piece of {} mm³ has come loose from the rest of the stock.</source>
+        <translation>{} mm³ 크기의 조각이 나머지 소재에서 분리되었습니다.</translation>
+    </message>
+    <message>
+        <source>Leave tabs, or turn this rule off if the piece is held.</source>
+        <translation>탭을 남기거나, 조각이 고정되어 있으면 이 규칙을 끄십시오.</translation>
+    </message>
+    <message>
+        <source>Feeding in air</source>
+        <translation>공중 절삭 이송</translation>
+    </message>
+    <message>
+        <source>The cutter moves through air at feed for {} s; up to {} s are not reported.</source>
+        <translation>공구가 {}초 동안 절삭 이송으로 공중을 이동합니다. {}초까지는 보고하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Approach with G0 where it is safe.</source>
+        <translation>안전한 곳에서는 G0으로 접근하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8888,6 +9004,38 @@ Default: 0 mm</source>
         <source>Results after this are unverified.</source>
         <translation>이후의 결과는 검증되지 않습니다.</translation>
     </message>
+    <message>
+        <source>Accepted</source>
+        <translation>승인됨</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>검사 안 됨</translation>
+    </message>
+    <message>
+        <source>Check it yourself; then accept it in the context menu.</source>
+        <translation>직접 확인한 다음 바로 가기 메뉴에서 승인하십시오.</translation>
+    </message>
+    <message>
+        <source>Lines %1 to %2, %3 times.</source>
+        <translation>%1~%2줄, %3회.</translation>
+    </message>
+    <message>
+        <source>Largest value: %1; limit: %2 %3.</source>
+        <translation>최댓값: %1, 한계: %2 %3.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>공구</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>크기</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>횟수</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsPanel</name>
@@ -8930,6 +9078,30 @@ Default: 0 mm</source>
     <message>
         <source>Ignore All Unknown M Codes of This Program</source>
         <translation>이 프로그램의 알 수 없는 M 코드 모두 무시</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>검사 안 됨</translation>
+    </message>
+    <message>
+        <source>Checking the program; no problems so far.</source>
+        <translation>프로그램을 검사하는 중입니다. 지금까지 문제가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Accept Without a Check, for All Programs</source>
+        <translation>검사 없이 승인(모든 프로그램)</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>필터</translation>
+    </message>
+    <message>
+        <source>Filter the problems</source>
+        <translation>문제 필터링</translation>
+    </message>
+    <message>
+        <source>Show only the rows that contain this text</source>
+        <translation>이 텍스트가 들어 있는 행만 표시합니다</translation>
     </message>
 </context>
 <context>

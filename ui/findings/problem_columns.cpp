@@ -36,7 +36,8 @@ void ProblemColumns::measure() {
 void ProblemColumns::share() {
     QHeaderView& header = *m_view.header();
     int rest = m_view.viewport()->width();
-    for (const int column : {ProblemsModel::kSeverity, ProblemsModel::kLine, ProblemsModel::kSentence}) {
+    for (const int column : {ProblemsModel::kSeverity, ProblemsModel::kLine, ProblemsModel::kSentence,
+                             ProblemsModel::kTool, ProblemsModel::kSize, ProblemsModel::kCount}) {
         header.resizeSection(column, m_wanted[static_cast<std::size_t>(column)]);
         rest -= m_wanted[static_cast<std::size_t>(column)];
     }

@@ -2,26 +2,33 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <QAbstractTableModel>
 #include <QIcon>
 
-#include "core/base/diagnostic.h"
+#include "core/verification/check/check_report.h"
 
 namespace proveout {
 
-/// One row per message. UI thread.
+/// One row per problem, then one for each thing that was not checked. UI thread.
 class ProblemsModel final : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { kSeverity, kLine, kSentence, kHint, kId, kColumnCount };
+    enum Column { kSeverity, kLine, kSentence, kTool, kSize, kCount, kHint, kId, kColumnCount };
+    /// The value by which a cell is sorted.
+    static constexpr int kSortRole = Qt::UserRole;
 
     explicit ProblemsModel(QObject* parent = nullptr);
-    void setProblems(const Diagnostics& problems);
-    [[nodiscard]] const Diagnostic& problem(int row) const {
-        return m_problems[static_cast<std::size_t>(row)];
-    }
+    /// `notChecked` follow the problems.
+    void setProblems(std::vector<CheckFinding> problems, std::vector<NotChecked> notChecked);
+    /// Null: the row is of something that was not checked.
+    [[nodiscard]] const CheckFinding* problem(int row) const;
+    /// Null: the row is of a problem.
+    [[nodiscard]] const NotChecked* notChecked(int row) const;
+    [[nodiscard]] const std::vector<CheckFinding>& problems() const { return m_problems; }
+    [[nodiscard]] const std::vector<NotChecked>& notChecked() const { return m_notChecked; }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -29,11 +36,17 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    [[nodiscard]] static QString text(const Diagnostic& problem, int column);
-    [[nodiscard]] static QString wholeText(const Diagnostic& problem);
+    [[nodiscard]] static QString text(const CheckFinding& problem, int column);
+    [[nodiscard]] static QString text(const NotChecked& entry, int column);
+    [[nodiscard]] static QVariant sortValue(const CheckFinding& problem, int column);
+    [[nodiscard]] static QString wholeText(const CheckFinding& problem);
+    [[nodiscard]] static QString wholeText(const NotChecked& entry);
 
-    Diagnostics m_problems;
+    std::vector<CheckFinding> m_problems;
+    std::vector<NotChecked> m_notChecked;
     std::array<QIcon, 4> m_icons; ///< one per severity
+    QIcon m_openIcon;             ///< of what was not checked
+    QIcon m_acceptedIcon;
 };
 
 } // namespace proveout

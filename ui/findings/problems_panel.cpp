@@ -1,25 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/findings/problems_panel.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
+#include <QSettings>
 #include <QTreeView>
 #include <QVBoxLayout>
 
 #include "core/nc/codes/ignored_codes.h"
 #include "ui/findings/problem_columns.h"
 #include "ui/findings/problems_model.h"
+#include "ui/findings/problems_order.h"
 #include "ui/look/diagnostic_text.h"
+#include "ui/look/elided_label.h"
+#include "ui/readout/problem_list.h"
 
 namespace proveout {
 
 namespace {
 
 constexpr const char* kContext = "ProblemCommands";
+
+constexpr int kFilterWidth = 220; ///< px
+const QString kAcceptedKey = QStringLiteral("check/accepted");
+
+std::set<std::string> keptAcceptance() {
+    std::set<std::string> ids;
+    for (const QString& id : QSettings().value(kAcceptedKey).toStringList())
+        ids.insert(id.toStdString());
+    return ids;
+}
 
 std::set<int> unknownMCodes(const Diagnostics& problems) {
     std::set<int> codes;
@@ -41,48 +61,92 @@ const std::array<Command<ProblemsPanel>, 2> ProblemsPanel::kCommands{{
 }};
 
 ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_model(new ProblemsModel(this)), m_view(new QTreeView(this)),
-      m_columns(new ProblemColumns(*m_view)), m_empty(new QLabel(this)),
-      m_commands(*this, kContext, kCommands, this) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_view, 1);
-    layout->addWidget(m_empty, 1);
-    m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setObjectName(QStringLiteral("nothing-found"));
-    m_empty->setForegroundRole(QPalette::PlaceholderText);
-    m_view->setModel(m_model);
-    m_view->setRootIsDecorated(false);
-    m_view->setUniformRowHeights(true);
-    m_view->setAlternatingRowColors(true);
-    m_view->setFrameShape(QFrame::NoFrame);
+    : QWidget(parent), m_session(session), m_model(new ProblemsModel(this)),
+      m_order(new ProblemsOrder(*m_model, this)), m_view(new QTreeView(this)),
+      m_columns(new ProblemColumns(*m_view)), m_empty(new QLabel(this)), m_summary(new ElidedLabel(this)),
+      m_filter(new QLineEdit(this)), m_commands(*this, kContext, kCommands, this) {
+    build();
     for (QAction* action : m_commands.all())
         addAction(action);
-    connect(m_view, &QTreeView::activated, this,
-            [this](const QModelIndex& index) { goTo(m_model->problem(index.row())); });
+    session.check().setAccepted(keptAcceptance());
+    connect(m_filter, &QLineEdit::textChanged, m_order, &ProblemsOrder::setWanted);
+    connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) {
+        if (const CheckFinding* problem = problemAt(index))
+            goTo(*problem);
+    });
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
     connect(&session.problems(), &ProblemsHub::changed, this, &ProblemsPanel::showProblems);
+    connect(&session.check(), &CheckHub::changed, this, &ProblemsPanel::showProblems);
     connect(&session.document(), &DocumentHub::changed, this, &ProblemsPanel::showNothingFound);
     connect(&session.playback(), &PlaybackHub::tick, this, &ProblemsPanel::showNothingFound);
     retranslate();
     showProblems();
 }
 
+void ProblemsPanel::build() {
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(8, 2, 8, 2);
+    top->addWidget(m_empty, 1);
+    top->addWidget(m_summary, 1);
+    top->addWidget(m_filter);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(top);
+    layout->addWidget(m_view, 1);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setObjectName(QStringLiteral("nothing-found"));
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_summary->setObjectName(QStringLiteral("problem-summary"));
+    m_filter->setObjectName(QStringLiteral("problem-filter"));
+    m_filter->setClearButtonEnabled(true);
+    m_filter->setMaximumWidth(kFilterWidth);
+    m_view->setModel(m_order);
+    m_view->setRootIsDecorated(false);
+    m_view->setUniformRowHeights(true);
+    m_view->setAlternatingRowColors(true);
+    m_view->header()->setSortIndicator(ProblemsModel::kSeverity, Qt::DescendingOrder); // the worst first
+    m_view->setSortingEnabled(true);
+}
+
+const CheckFinding* ProblemsPanel::problemAt(const QModelIndex& index) const {
+    return m_model->problem(m_order->mapToSource(index).row());
+}
+
 void ProblemsPanel::showProblems() {
     const int row = m_view->currentIndex().row();
     const int scrolled = m_view->verticalScrollBar()->value();
-    m_model->setProblems(m_session.problems().all());
+    const auto& report = m_session.check().report();
+    m_model->setProblems(problemList(m_session), report ? report->notChecked : std::vector<NotChecked>());
     const bool any = m_model->rowCount() > 0;
     showNothingFound();
+    m_summary->setText(summary());
     m_view->setVisible(any);
-    m_empty->setVisible(!any);
-    if (row >= 0 && row < m_model->rowCount())
-        m_view->setCurrentIndex(m_model->index(row, 0));
+    m_filter->setVisible(any);
+    m_empty->setVisible(m_model->problems().empty());
+    m_summary->setVisible(!m_model->problems().empty());
+    if (row >= 0 && row < m_order->rowCount())
+        m_view->setCurrentIndex(m_order->index(row, 0));
     m_columns->measure();
     m_view->doItemsLayout();                         // updates the range of the scroll bar
     m_view->verticalScrollBar()->setValue(scrolled); // keeps the rows that the user is reading in place
+}
+
+/// "Machining fault: 2 · Warning: 1 · Not checked: 3"
+QString ProblemsPanel::summary() const {
+    QStringList parts;
+    const auto add = [&](const QString& what, std::ptrdiff_t count) {
+        if (count > 0)
+            parts << QStringLiteral("%1: %2").arg(what, locale().toString(static_cast<qlonglong>(count)));
+    };
+    for (const Severity severity : {Severity::fault, Severity::error, Severity::warning, Severity::note})
+        add(severityName(severity),
+            std::ranges::count(m_model->problems(), severity,
+                               [](const CheckFinding& one) { return one.diagnostic.severity; }));
+    add(tr("Not checked"), std::ranges::count(m_model->notChecked(), false, &NotChecked::accepted));
+    return parts.join(QStringLiteral(" · "));
 }
 
 /// The absence of problems means something only for the part that was checked.
@@ -92,6 +156,10 @@ QString ProblemsPanel::nothingFound() const {
         return tr("Open a program to see its problems.");
     if (!program || m_session.program().isReading())
         return tr("Reading the program; no problems so far.");
+    if (m_session.check().report())
+        return tr("No problems found.");
+    if (m_session.check().progress())
+        return tr("Checking the program; no problems so far.");
     const FramePtr& frame = m_session.simulation().frame();
     const std::size_t simulated = frame && frame->program == program ? frame->statistics.size() : 0;
     if (simulated == 0 && program->blockCount() > 0)
@@ -108,37 +176,68 @@ void ProblemsPanel::showNothingFound() {
         m_empty->setText(text);
 }
 
-void ProblemsPanel::goTo(const Diagnostic& problem) {
-    if (!ProblemsHub::isInText(problem))
+void ProblemsPanel::goTo(const CheckFinding& problem) {
+    if (!ProblemsHub::isInText(problem.diagnostic))
         return;
-    const auto line = static_cast<std::uint32_t>(problem.where.line);
-    emit m_session.navigation().lineRequested(line, problem.where.column);
-    m_session.playback().seekToLine(line);
+    const auto line = static_cast<std::uint32_t>(problem.diagnostic.where.line);
+    emit m_session.navigation().lineRequested(line, problem.diagnostic.where.column);
+    if (problem.block > 0)
+        m_session.playback().seek(problem.block);
+    else
+        m_session.playback().seekToLine(line);
 }
 
-/// The context menu for the problem at a position of the list.
+/// The context menu for the row at a position of the list.
 void ProblemsPanel::showMenu(const QPoint& position) {
     const QModelIndex index = m_view->indexAt(position);
     if (!index.isValid())
         return;
-    const Diagnostic& problem = m_model->problem(index.row());
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    if (ProblemsHub::isInText(problem))
-        menu->addAction(tr("Go to Line"), this, [this, problem] { goTo(problem); });
-    menu->addAction(tr("Copy"), this, [text = sentence(problem) + u' ' + hint(problem)] {
+    if (const CheckFinding* problem = problemAt(index))
+        addProblemActions(*menu, *problem);
+    else
+        addAcceptAction(*menu, *m_model->notChecked(m_order->mapToSource(index).row()));
+    menu->popup(m_view->viewport()->mapToGlobal(position));
+}
+
+void ProblemsPanel::addProblemActions(QMenu& menu, const CheckFinding& problem) {
+    const Diagnostic& diagnostic = problem.diagnostic;
+    if (ProblemsHub::isInText(diagnostic))
+        menu.addAction(tr("Go to Line"), this, [this, problem] { goTo(problem); });
+    menu.addAction(tr("Copy"), this, [text = sentence(diagnostic) + u' ' + hint(diagnostic)] {
         QGuiApplication::clipboard()->setText(text);
     });
-    if (const auto code = unknownMCode(problem)) {
-        QAction* ignore = menu->addAction(tr("Ignore M%1: It Moves No Axis").arg(*code), this,
-                                          [this, code] { ignoreMCodes({*code}); });
+    if (const auto code = unknownMCode(diagnostic)) {
+        QAction* ignore = menu.addAction(tr("Ignore M%1: It Moves No Axis").arg(*code), this,
+                                         [this, code] { ignoreMCodes({*code}); });
         ignore->setObjectName(QStringLiteral("ignore-m-code"));
-        QAction* all = menu->addAction(tr("Ignore All Unknown M Codes of This Program"), this,
-                                       [this] { ignoreMCodes(unknownMCodes(m_session.problems().all())); });
+        QAction* all = menu.addAction(tr("Ignore All Unknown M Codes of This Program"), this,
+                                      [this] { ignoreMCodes(unknownMCodes(m_session.problems().all())); });
         all->setObjectName(QStringLiteral("ignore-all-m-codes"));
         all->setEnabled(unknownMCodes(m_session.problems().all()).size() > 1);
     }
-    menu->popup(m_view->viewport()->mapToGlobal(position));
+}
+
+void ProblemsPanel::addAcceptAction(QMenu& menu, const NotChecked& entry) {
+    QAction* action = menu.addAction(tr("Accept Without a Check, for All Programs"));
+    action->setObjectName(QStringLiteral("accept-unchecked"));
+    action->setCheckable(true);
+    action->setChecked(entry.accepted);
+    connect(action, &QAction::toggled, this, [this, id = entry.row->id](bool on) { accept(id, on); });
+}
+
+void ProblemsPanel::accept(const char* id, bool accepted) {
+    std::set<std::string> ids = m_session.check().accepted();
+    if (accepted)
+        ids.insert(id);
+    else
+        ids.erase(id);
+    QStringList kept;
+    for (const std::string& each : ids)
+        kept << QString::fromStdString(each);
+    QSettings().setValue(kAcceptedKey, kept);
+    m_session.check().setAccepted(std::move(ids));
 }
 
 void ProblemsPanel::ignoreMCodes(const std::set<int>& codes) {
@@ -151,18 +250,26 @@ void ProblemsPanel::ignoreMCodes(const std::set<int>& codes) {
 }
 
 void ProblemsPanel::goToNeighbour(int direction) {
-    const int count = m_model->rowCount();
-    if (count == 0)
-        return;
-    const int present = m_view->currentIndex().row();
-    const int row = present < 0 && direction < 0 ? count - 1 : (present + direction + count) % count;
-    m_view->setCurrentIndex(m_model->index(row, 0));
-    goTo(m_model->problem(row));
+    const int count = m_order->rowCount();
+    int row = m_view->currentIndex().row();
+    if (row < 0 && direction < 0)
+        row = count;
+    for (int tried = 0; tried < count; ++tried) {
+        row = (row + direction + count) % count;
+        const QModelIndex index = m_order->index(row, 0);
+        if (const CheckFinding* problem = problemAt(index)) {
+            m_view->setCurrentIndex(index);
+            return goTo(*problem);
+        }
+    }
 }
 
 void ProblemsPanel::retranslate() {
     m_commands.retranslate();
     m_view->setAccessibleName(tr("Problems"));
+    m_filter->setPlaceholderText(tr("Filter"));
+    m_filter->setAccessibleName(tr("Filter the problems"));
+    m_filter->setToolTip(tr("Show only the rows that contain this text"));
     showNothingFound();
 }
 

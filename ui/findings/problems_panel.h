@@ -6,18 +6,24 @@
 
 #include <QWidget>
 
+#include "core/verification/check/check_report.h"
 #include "ui/look/command_table.h"
 #include "ui/session/session.h"
 
 class QLabel;
+class QLineEdit;
+class QMenu;
+class QModelIndex;
 class QTreeView;
 
 namespace proveout {
 
 class ProblemColumns;
 class ProblemsModel;
+class ProblemsOrder;
 
-/// All messages about files, program and simulation; a double click goes to the line.
+/// All messages about files and program, the findings of its check, and what was not checked; a double click
+/// goes to the line.
 class ProblemsPanel final : public QWidget {
     Q_OBJECT
 
@@ -33,19 +39,29 @@ protected:
 private:
     static const std::array<Command<ProblemsPanel>, 2> kCommands;
 
+    void build();
     void showProblems();
     [[nodiscard]] QString nothingFound() const;
+    [[nodiscard]] QString summary() const;
     void showNothingFound();
-    void goTo(const Diagnostic& problem);
+    void goTo(const CheckFinding& problem);
+    /// The problem of a row of the list; null: it is of something that was not checked.
+    [[nodiscard]] const CheckFinding* problemAt(const QModelIndex& index) const;
+    void addProblemActions(QMenu& menu, const CheckFinding& problem);
+    void addAcceptAction(QMenu& menu, const NotChecked& entry);
+    void accept(const char* id, bool accepted);
     void showMenu(const QPoint& position);
     void ignoreMCodes(const std::set<int>& codes);
     void retranslate();
 
     Session& m_session;
     ProblemsModel* m_model;
+    ProblemsOrder* m_order;
     QTreeView* m_view;
     ProblemColumns* m_columns;
-    QLabel* m_empty;
+    QLabel* m_empty;   ///< shown without problems
+    QLabel* m_summary; ///< shown with them
+    QLineEdit* m_filter;
     CommandActions<ProblemsPanel> m_commands;
 };
 

@@ -68,19 +68,20 @@ void CheckHub::setOn(bool on) {
     restart();
 }
 
-/// Cancels the check, and begins again once there is a program that has not changed for a moment.
+/// Cancels the check, and begins again once there is a program that has not changed for a moment. While the
+/// user types, nothing more changes than at the first key.
 void CheckHub::restart() {
     m_task.cancel();
     m_pause.stop();
+    const bool waits = m_on && m_document.isOpen();
+    const bool isNews = m_report || !m_refusal.empty() || waits != (m_progress == 0.0);
     m_report.reset();
     m_refusal.clear();
-    m_progress.reset();
-    if (m_on && m_document.isOpen()) {
-        m_progress = 0;
-        if (m_program.current() && m_program.isUpToDate() && !m_program.isReading())
-            m_pause.start();
-    }
-    emit changed();
+    m_progress = waits ? std::optional(0.0) : std::nullopt;
+    if (waits && m_program.current() && m_program.isUpToDate() && !m_program.isReading())
+        m_pause.start();
+    if (isNews)
+        emit changed();
 }
 
 void CheckHub::begin() {

@@ -28,6 +28,9 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] const Diagnostics& all() const { return m_all; }
+    [[nodiscard]] const Diagnostics& of(ProblemSource source) const {
+        return m_bySource.at(static_cast<std::size_t>(source));
+    }
     /// Whether the location of a problem is in the open text; other problems name their file (e.g. a job
     /// file).
     [[nodiscard]] static bool isInText(const Diagnostic& problem);

@@ -34,6 +34,7 @@ PanelDocks::PanelDocks(QMainWindow& window, QStackedWidget& centre, const PanelP
     retitle();
     connect(&parts.session.document(), &DocumentHub::changed, this, &PanelDocks::retitle);
     connect(&parts.session.problems(), &ProblemsHub::changed, this, &PanelDocks::retitle);
+    connect(&parts.session.check(), &CheckHub::changed, this, &PanelDocks::retitle);
 }
 
 void PanelDocks::add(const PanelRow& row, const PanelParts& parts) {

@@ -11,6 +11,7 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
 #include "ui/plots/plots_panel.h"
+#include "ui/readout/problem_list.h"
 #include "ui/session/playback_commands.h"
 #include "ui/session/session.h"
 #include "ui/setup/setup_panel.h"
@@ -66,7 +67,7 @@ QString markJob(const QString& title, const Session& session) {
 }
 
 QString countProblems(const QString& title, const Session& session) {
-    const std::size_t count = session.problems().all().size();
+    const std::size_t count = problemList(session).size();
     return count == 0 ? title : QStringLiteral("%1 (%2)").arg(title).arg(count);
 }
 

@@ -38,6 +38,7 @@ public:
     Result<std::shared_ptr<const CheckReport>> run() {
         add(m_subject.warnings);
         add(m_program.diagnostics());
+        m_report.ofText = m_report.findings.size();
         if (m_subject.hasStock) {
             if (auto done = simulate(); !done)
                 return tl::unexpected(std::move(done.error()));

@@ -38,6 +38,7 @@ struct CheckedContact {
 /// The result of a check. Immutable once made, any thread.
 struct CheckReport {
     std::vector<CheckFinding> findings;
+    std::size_t ofText = 0; ///< so many of them, the first ones, are of the job and the program text alone
     std::vector<NotChecked> notChecked; ///< what concerns the program
     std::vector<CheckedContact> firstContacts;
     /// The program itself is unverified, or has no motion.

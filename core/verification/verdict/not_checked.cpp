@@ -77,14 +77,15 @@ bool lacksToolLimits(const CheckScope& scope) {
 
 constexpr std::array kRows{
     NotCheckedRow{"stock-not-given", PROVEOUT_TEXT("Core", "Everything that needs a stock"), lacksStock},
-    NotCheckedRow{"stock-fitted", "Size and position of the stock, which is fitted to the toolpath",
+    NotCheckedRow{"stock-fitted",
+                  PROVEOUT_TEXT("Core", "Size and position of the stock, which is fitted to the toolpath"),
                   fittedStock},
     NotCheckedRow{"holder-not-given", PROVEOUT_TEXT("Core", "Collisions of the tool holder"), lacksHolder},
     NotCheckedRow{"shank-not-given", PROVEOUT_TEXT("Core", "Collisions of the shank"), lacksShank},
     NotCheckedRow{"fixtures-not-given", PROVEOUT_TEXT("Core", "Collisions with fixtures"), lacksFixtures},
     NotCheckedRow{"travel-not-given", PROVEOUT_TEXT("Core", "Travel limits of the machine"), always},
-    NotCheckedRow{"machine-not-given", PROVEOUT_TEXT("Core", "Maximum feed rate and spindle speed of the machine"),
-                  lacksMachine},
+    NotCheckedRow{"machine-not-given",
+                  PROVEOUT_TEXT("Core", "Maximum feed rate and spindle speed of the machine"), lacksMachine},
     NotCheckedRow{"largest-spindle-not-given", PROVEOUT_TEXT("Core", "Maximum spindle speed of the machine"),
                   lacksSpindleMaximum},
     NotCheckedRow{"tool-limits-not-given", PROVEOUT_TEXT("Core", "Load of the tools"), lacksToolLimits},

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/findings/problems_panel.h"
 
+#include <string>
+#include <vector>
+
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QSettings>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 
 #include "tests/ui/opened.h"
+#include "ui/findings/problems_model.h"
 
 namespace proveout {
 namespace {
@@ -18,8 +26,18 @@ constexpr int kPatience = 20'000; ///< ms
 const QByteArray kProgram =
     "G21 G90 G17\nT1 M6\nS1000 M3\nG43 H1\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nG0 Z5\nM30\n";
 
-struct Bench {
+/// Empty settings of its own.
+struct OwnFolder {
     QTemporaryDir folder;
+
+    OwnFolder() {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+        QCoreApplication::setOrganizationName(QStringLiteral("Proveout"));
+    }
+};
+
+struct Bench : OwnFolder {
     Session session;
     ProblemsPanel panel{session};
 
@@ -32,6 +50,14 @@ struct Bench {
         return written && opened(session, name) &&
                QTest::qWaitFor([this] { return session.simulation().frame() != nullptr; }, kPatience);
     }
+    /// Two rapids cut 1 mm deep, in lines 8 and 10.
+    bool openWithRapids() {
+        return open("G21 G90 G17\nT1 M6\nS1000 M3\nG43 H1\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nG0 Y10\nG1 X0\n"
+                    "G0 Y20\nZ5\nM30\n") &&
+               defineTool() &&
+               QTest::qWaitFor([this] { return session.check().report() != nullptr; }, kPatience);
+    }
+    [[nodiscard]] QTreeView& list() const { return *panel.findChild<QTreeView*>(); }
     bool defineTool() {
         Setup setup = session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
@@ -48,8 +74,9 @@ class ProblemsPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void nothingFoundMeansAsFarAsWasLooked() {
+    void withoutACheckNothingFoundMeansAsFarAsWasLooked() {
         Bench bench;
+        bench.session.check().setOn(false);
         QCOMPARE(bench.text(), QStringLiteral("Open a program to see its problems."));
         QVERIFY(bench.open(kProgram));
         QVERIFY(!bench.label().isVisible()); // its tool is missing
@@ -73,6 +100,93 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(bench.text(), QStringLiteral("No problems found."), kPatience);
         bench.session.document().newFile();
         QVERIFY(bench.text() != QStringLiteral("No problems found."));
+    }
+
+    void nothingFoundByTheCheckIsSaidWithoutPlaying() {
+        Bench bench;
+        QVERIFY(bench.open(kProgram));
+        QVERIFY(bench.defineTool());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.text(), QStringLiteral("No problems found."), kPatience);
+        QCOMPARE(bench.session.simulation().block(), std::size_t{0});
+    }
+
+    void repeatedFindingsAreOneRowAndTheWorstIsFirst() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        QTreeView& list = bench.list();
+        const auto cell = [&](int row, int column) {
+            return list.model()->index(row, column).data().toString();
+        };
+        QCOMPARE(cell(0, ProblemsModel::kId), QStringLiteral("rapid-cuts"));
+        QCOMPARE(cell(0, ProblemsModel::kLine), QStringLiteral("8"));
+        QCOMPARE(cell(0, ProblemsModel::kTool), QStringLiteral("T1"));
+        QCOMPARE(cell(0, ProblemsModel::kSize), QStringLiteral("1 mm"));
+        QCOMPARE(cell(0, ProblemsModel::kCount), QStringLiteral("2"));
+        // What was not checked follows in any order.
+        for (const Qt::SortOrder order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
+            list.sortByColumn(ProblemsModel::kSentence, order);
+            const int last = list.model()->rowCount() - 1;
+            QCOMPARE(cell(last, ProblemsModel::kSeverity), QStringLiteral("Not checked"));
+            QCOMPARE(cell(0, ProblemsModel::kId), QStringLiteral("rapid-cuts"));
+        }
+    }
+
+    void ofOneSeverityTheFirstLineIsFirst() {
+        Bench bench;
+        QVERIFY(bench.open("G21 G90 G17\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nM987\nG1 Z-1 F100\nM986\nX10\nM985\n"
+                           "G0 Z5\nM30\n"));
+        const QAbstractItemModel& rows = *bench.list().model();
+        std::vector<int> lines;
+        for (int row = 0; row < rows.rowCount(); ++row)
+            if (rows.index(row, ProblemsModel::kId).data().toString() == QLatin1String("code-unknown"))
+                lines.push_back(rows.index(row, ProblemsModel::kLine).data().toInt());
+        QCOMPARE(lines, (std::vector<int>{5, 7, 9}));
+    }
+
+    void theFilterShowsRowsWithItsTextOnly() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        auto* filter = bench.panel.findChild<QLineEdit*>(QStringLiteral("problem-filter"));
+        const int all = bench.list().model()->rowCount();
+        QVERIFY(all > 3);
+        filter->setText(QStringLiteral("FIXTURES"));
+        QCOMPARE(bench.list().model()->rowCount(), 1);
+        filter->clear();
+        QCOMPARE(bench.list().model()->rowCount(), all);
+    }
+
+    void aFindingLeadsToItsBlock() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        QSignalSpy lines(&bench.session.navigation(), &NavigationHub::lineRequested);
+        bench.panel.goToNeighbour(1);
+        QCOMPARE(lines.count(), 1);
+        QCOMPARE(lines.front().front().toUInt(), 8U);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.simulation().block(), std::size_t{4}, kPatience);
+        bench.panel.goToNeighbour(1);
+        QCOMPARE(lines.count(), 2); // what was not checked has no line, so it is the same one again
+        QCOMPARE(lines.back().front().toUInt(), 8U);
+    }
+
+    void whatNeedNotBeCheckedIsAccepted() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        QTreeView& list = bench.list();
+        const int last = list.model()->rowCount() - 1;
+        const QModelIndex row = list.model()->index(last, ProblemsModel::kSentence);
+        const std::string id = row.siblingAtColumn(ProblemsModel::kId).data().toString().toStdString();
+        list.scrollTo(row);
+        emit list.customContextMenuRequested(list.visualRect(row).center());
+        auto* menu = bench.panel.findChild<QMenu*>();
+        QVERIFY(menu != nullptr);
+        menu->findChild<QAction*>(QStringLiteral("accept-unchecked"))->trigger();
+        QVERIFY(bench.session.check().accepted().contains(id));
+        QCOMPARE(list.model()->index(last, ProblemsModel::kSeverity).data().toString(),
+                 QStringLiteral("Accepted"));
+        menu->close();
+        Session other; // the acceptance is kept
+        const ProblemsPanel panel(other);
+        QVERIFY(other.check().accepted().contains(id));
     }
 
     void aProgramThatIsStillReadIsNotFound() {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <set>
-#include <string_view>
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -44,11 +43,13 @@ void open(Workstation& station, const QByteArray& text) {
         qFatal("the file was not opened");
 }
 
-int rowOf(const Session& session, const char* id) {
-    const Diagnostics& all = session.problems().all();
-    const auto found = std::ranges::find_if(
-        all, [&](const Diagnostic& problem) { return std::string_view(problem.id) == id; });
-    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+/// In the list; -1 if it has no such problem.
+int rowOf(const Workstation& station, const char* id) {
+    const QAbstractItemModel& rows = *listOf(station).model();
+    for (int row = 0; row < rows.rowCount(); ++row)
+        if (rows.index(row, ProblemsModel::kId).data().toString() == QLatin1String(id))
+            return row;
+    return -1;
 }
 
 /// Whether the cell shows the complete text.
@@ -104,7 +105,7 @@ private slots:
         QFETCH(QByteArray, id);
         Workstation station(false);
         open(station, text);
-        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, id) >= 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station, id) >= 0, kPatience);
         QTreeView& list = listOf(station);
         for (const int width : {1280, 2560, 1280}) {
             station.window.resize(width, 800);
@@ -128,7 +129,7 @@ private slots:
     void idIsShownWhereThereIsRoom() {
         Workstation station(false);
         open(station, clamps());
-        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station, "code-ignored") >= 0, kPatience);
         const QTreeView& list = listOf(station);
         const QAbstractItemView& view = list; // QTreeView hides sizeHintForColumn()
         bool shown = false;
@@ -149,12 +150,12 @@ private slots:
         Workstation station(false);
         open(station,
              "%\nO1\nG21 G90\nT1 M6\nG0 X0. Y0. Z5.\nM16\nM161\nG1 Z-1. F100 S500 M3\nM171\nX10.\nM30\n%\n");
-        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-unknown") >= 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station, "code-unknown") >= 0, kPatience);
         QTreeView& list = listOf(station);
-        QVERIFY(choose(list, rowOf(station.session, "code-unknown"), "ignore-all-m-codes"));
+        QVERIFY(choose(list, rowOf(station, "code-unknown"), "ignore-all-m-codes"));
         QCOMPARE(station.session.job().setup().ignoredM, (std::set<int>{16, 161, 171}));
-        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
-        QCOMPARE(rowOf(station.session, "code-unknown"), -1);
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station, "code-ignored") >= 0, kPatience);
+        QCOMPARE(rowOf(station, "code-unknown"), -1);
         // A single undo step.
         station.session.job().undoStep();
         QVERIFY(station.session.job().setup().ignoredM.empty());
@@ -164,7 +165,7 @@ private slots:
         Workstation station(true);
         QTRY_VERIFY_WITH_TIMEOUT(station.session.simulation().frame() != nullptr, kPatience);
         open(station, kSiemens);
-        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "dialect-foreign") >= 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station, "dialect-foreign") >= 0, kPatience);
         auto* notice = station.window.viewport().findChild<QWidget*>(QStringLiteral("foreignNotice"));
         QVERIFY(notice != nullptr && notice->isVisible());
         const QString said = notice->findChild<QLabel*>(QStringLiteral("noticeText"))->text();

@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <set>
-#include <string_view>
 #include <vector>
 
 #include <QAbstractItemModel>
@@ -37,6 +36,7 @@
 #include "ui/document/file_paths.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
+#include "ui/findings/problems_model.h"
 #include "ui/look/appearance.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/look/resource_paths.h"
@@ -306,14 +306,15 @@ private slots:
         problems->raise();
         auto* list = problems->findChild<QTreeView*>();
         const auto rowOf = [&](const char* id) {
-            const Diagnostics& all = station.session.problems().all();
-            const auto found = std::ranges::find_if(
-                all, [&](const Diagnostic& problem) { return std::string_view(problem.id) == id; });
-            return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+            const QAbstractItemModel& rows = *list->model();
+            for (int row = 0; row < rows.rowCount(); ++row)
+                if (rows.index(row, ProblemsModel::kId).data().toString() == QLatin1String(id))
+                    return row;
+            return -1;
         };
         QTRY_VERIFY_WITH_TIMEOUT(rowOf("code-unknown") >= 0, kPatience);
         QVERIFY(station.session.program().current()->unverified());
-        const QModelIndex index = list->model()->index(rowOf("code-unknown"), 2);
+        const QModelIndex index = list->model()->index(rowOf("code-unknown"), ProblemsModel::kSentence);
         list->scrollTo(index);
         const QPoint at = list->visualRect(index).center();
         QContextMenuEvent event(QContextMenuEvent::Mouse, at, list->viewport()->mapToGlobal(at));

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The problems of the session together with the findings of its check. Thread: UI.
+#pragma once
+
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "core/verification/check/check_report.h"
+
+namespace proveout {
+
+class Session;
+
+/// One entry for all equal messages, with their number. The findings of a check replace those of the blocks
+/// that were played, because it has seen all blocks.
+[[nodiscard]] std::vector<CheckFinding> problemList(const Session& session);
+
+} // namespace proveout
