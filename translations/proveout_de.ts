@@ -7890,6 +7890,10 @@ Vorgabe: 0 mm</translation>
         <source>Approach with G0 where it is safe.</source>
         <translation>Wo es sicher ist, mit G0 anfahren.</translation>
     </message>
+    <message>
+        <source>Size and position of the stock, which is fitted to the toolpath</source>
+        <translation>Größe und Lage des Rohteils, das an die Werkzeugbahn angepasst ist</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -9103,6 +9107,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Show only the rows that contain this text</source>
         <translation>Nur Zeilen zeigen, die diesen Text enthalten</translation>
+    </message>
+    <message>
+        <source>since the last check: %1 new, %2 gone</source>
+        <translation>seit der letzten Prüfung: %1 neu, %2 behoben</translation>
     </message>
 </context>
 <context>

@@ -7890,6 +7890,10 @@ Default: 0 mm</source>
         <source>Approach with G0 where it is safe.</source>
         <translation>안전한 곳에서는 G0으로 접근하십시오.</translation>
     </message>
+    <message>
+        <source>Size and position of the stock, which is fitted to the toolpath</source>
+        <translation>공구 경로에 맞춘 소재의 크기와 위치</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -9102,6 +9106,10 @@ Default: 0 mm</source>
     <message>
         <source>Show only the rows that contain this text</source>
         <translation>이 텍스트가 들어 있는 행만 표시합니다</translation>
+    </message>
+    <message>
+        <source>since the last check: %1 new, %2 gone</source>
+        <translation>지난 검사 이후: 새로 %1, 해결 %2</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "ui/files/edited_elsewhere_bar.h"
 #include "ui/files/file_changed_bar.h"
 #include "ui/look/icons.h"
+#include "ui/readout/problem_list.h"
 
 namespace proveout {
 
@@ -126,6 +126,10 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
             m_editor->markSaved();
     });
     connect(&session.problems(), &ProblemsHub::changed, this, &EditorPanel::showProblems);
+    connect(&session.check(), &CheckHub::changed, this, [this] {
+        if (m_session.check().report()) // else the marks stay until the edited text is read
+            showProblems();
+    });
     connect(&session.program(), &ProgramHub::changed, this, [this] {
         if (m_session.program().current())
             m_editor->showDialect(m_session.program().current()->dialect());
@@ -280,8 +284,8 @@ void EditorPanel::showFrame(const FramePtr& frame) {
 
 void EditorPanel::showProblems() {
     Diagnostics here;
-    std::copy_if(m_session.problems().all().begin(), m_session.problems().all().end(),
-                 std::back_inserter(here), &ProblemsHub::isInText);
+    for (CheckFinding& problem : problemsInText(m_session))
+        here.push_back(std::move(problem.diagnostic));
     m_editor->showProblems(here);
 }
 

@@ -146,6 +146,11 @@ QString ProblemsPanel::summary() const {
             std::ranges::count(m_model->problems(), severity,
                                [](const CheckFinding& one) { return one.diagnostic.severity; }));
     add(tr("Not checked"), std::ranges::count(m_model->notChecked(), false, &NotChecked::accepted));
+    const auto change = m_session.check().change();
+    if (change && *change != CheckChange())
+        parts << tr("since the last check: %1 new, %2 gone")
+                     .arg(locale().toString(static_cast<qulonglong>(change->added)),
+                          locale().toString(static_cast<qulonglong>(change->gone)));
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "ui/session/session.h"
 
@@ -51,6 +53,25 @@ std::vector<CheckFinding> problemList(const Session& session) {
     std::vector<CheckFinding> all = grouped.take();
     all.insert(all.end(), report->findings.begin() + static_cast<std::ptrdiff_t>(report->ofText),
                report->findings.end());
+    return all;
+}
+
+std::vector<CheckFinding> problemsInText(const Session& session) {
+    std::vector<CheckFinding> all;
+    std::set<std::pair<std::string, int>> marked;
+    const auto add = [&](const CheckFinding& problem) {
+        const Diagnostic& diagnostic = problem.diagnostic;
+        if (!ProblemsHub::isInText(diagnostic))
+            return;
+        marked.emplace(diagnostic.id, diagnostic.where.line);
+        all.push_back(problem);
+    };
+    for (const Diagnostic& problem : session.problems().all())
+        add({.diagnostic = problem, .lastLine = problem.where.line});
+    if (const auto& report = session.check().report())
+        for (const CheckFinding& found : report->findings)
+            if (!marked.contains({found.diagnostic.id, found.diagnostic.where.line}))
+                add(found);
     return all;
 }
 

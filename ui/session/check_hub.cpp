@@ -47,8 +47,16 @@ CheckHub::CheckHub(const DocumentHub& document, const ProgramHub& program, const
     connect(&program, &ProgramHub::changed, this, &CheckHub::restart);
     connect(&program, &ProgramHub::failed, this,
             [this](const Diagnostics& errors) { finish(tl::unexpected(errors)); });
+    connect(&document, &DocumentHub::textReplaced, this, [this] {
+        restart();
+        m_before.reset();
+    });
     connect(&job, &JobHub::setupChanged, this, &CheckHub::restart);
     connect(&job, &JobHub::machineChanged, this, &CheckHub::restart);
+}
+
+std::optional<CheckChange> CheckHub::change() const {
+    return m_report && m_before ? std::optional(changeBetween(*m_before, *m_report)) : std::nullopt;
 }
 
 void CheckHub::setAccepted(std::set<std::string> accepted) {
@@ -75,6 +83,8 @@ void CheckHub::restart() {
     m_pause.stop();
     const bool waits = m_on && m_document.isOpen();
     const bool isNews = m_report || !m_refusal.empty() || waits != (m_progress == 0.0);
+    if (m_report)
+        m_before = std::move(m_report);
     m_report.reset();
     m_refusal.clear();
     m_progress = waits ? std::optional(0.0) : std::nullopt;

@@ -37,6 +37,9 @@ public:
     /// In [0, 1] while a result is awaited.
     [[nodiscard]] const std::optional<double>& progress() const { return m_progress; }
 
+    /// How report() differs from that before the last change of the same text; nothing without both.
+    [[nodiscard]] std::optional<CheckChange> change() const;
+
     /// Ids of what need not be checked (notCheckedRows()); the result follows at once.
     void setAccepted(std::set<std::string> accepted);
     [[nodiscard]] const std::set<std::string>& accepted() const { return m_accepted; }
@@ -60,6 +63,7 @@ private:
     const ProgramHub& m_program;
     const JobHub& m_job;
     std::shared_ptr<const CheckReport> m_report;
+    std::shared_ptr<const CheckReport> m_before; ///< of the same text before it was edited
     Diagnostics m_refusal;
     std::optional<double> m_progress;
     std::set<std::string> m_accepted;

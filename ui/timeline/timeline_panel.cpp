@@ -16,6 +16,7 @@
 #include "ui/look/theme.h"
 #include "ui/program/program_index.h"
 #include "ui/readout/cycle_time_text.h"
+#include "ui/readout/problem_list.h"
 #include "ui/readout/tool_actions.h"
 #include "ui/timeline/activity_text.h"
 #include "ui/timeline/timeline_scale.h"
@@ -88,6 +89,10 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
             &TimelinePanel::showTimes); // because the text names the tools
     connect(&session.program(), &ProgramHub::changed, this, &TimelinePanel::showProgram);
     connect(&session.problems(), &ProblemsHub::changed, this, &TimelinePanel::showProgram);
+    connect(&session.check(), &CheckHub::changed, this, [this] {
+        if (m_session.check().report())
+            showProgram();
+    });
     connect(&session.playback(), &PlaybackHub::tick, this, &TimelinePanel::showFrame);
     retranslate();
     showProgram();
@@ -196,10 +201,10 @@ void TimelinePanel::showProgram() {
     if (const auto& program = m_session.program().current()) {
         for (const ToolChangeMark& change : toolChangeMarks(*program))
             marks.push_back({change.block, TimelineMark::Kind::toolChange, Severity::note});
-        for (const Diagnostic& problem : m_session.problems().all()) {
-            if (ProblemsHub::isInText(problem))
-                marks.push_back({program->blocksAfterLine(static_cast<std::uint32_t>(problem.where.line)),
-                                 TimelineMark::Kind::problem, problem.severity});
+        for (const CheckFinding& problem : problemsInText(m_session)) {
+            const auto line = static_cast<std::uint32_t>(problem.diagnostic.where.line);
+            marks.push_back({problem.block > 0 ? problem.block : program->blocksAfterLine(line),
+                             TimelineMark::Kind::problem, problem.diagnostic.severity});
         }
         for (const Breakpoint& breakpoint : m_session.breakpoints().all()) {
             if (breakpoint.enabled && breakpoint.kind == BreakpointKind::line)
@@ -291,8 +296,8 @@ void TimelinePanel::showTip(std::size_t block, QPoint globalPlace) {
                         .arg(toolText(motion.tool, toolChoice(m_session), m_session.job().setup().tools))
                         .toHtmlEscaped()};
     const auto line = static_cast<int>(program->blockLine(executed));
-    if (std::ranges::any_of(m_session.problems().all(), [line](const Diagnostic& problem) {
-            return ProblemsHub::isInText(problem) && problem.where.line == line;
+    if (std::ranges::any_of(problemsInText(m_session), [line](const CheckFinding& problem) {
+            return problem.diagnostic.where.line == line;
         }))
         tip << tr("There is a problem on this line.").toHtmlEscaped();
     const auto stretch = m_scale->stretchAt(m_scale->mapFromGlobal(globalPlace).x());

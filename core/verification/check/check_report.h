@@ -52,4 +52,15 @@ struct CheckReport {
     [[nodiscard]] CheckReport accepting(const std::set<std::string>& accepted) const;
 };
 
+/// How the findings of a report differ from those of an earlier one.
+struct CheckChange {
+    std::size_t added = 0; ///< findings that are new
+    std::size_t gone = 0;
+
+    friend bool operator==(const CheckChange&, const CheckChange&) = default;
+};
+
+/// Findings are the same if rule and tool are, and what they say, wherever their lines are now.
+[[nodiscard]] CheckChange changeBetween(const CheckReport& before, const CheckReport& after);
+
 } // namespace proveout

@@ -94,6 +94,15 @@ TEST(Check, IsStoppedWithin200Milliseconds) {
     EXPECT_LT(ended - asked, std::chrono::milliseconds(200));
 }
 
+TEST(Check, SaysWhatAnEditHasChanged) {
+    const CheckReport rapid = reportOf(kHead + "G1 Z-2 F100\nX10\nG0 X20\nZ5\nM30\n");
+    const CheckReport laterRapid = reportOf(kHead + "(A)\nG1 Z-2 F100\nX10\nG0 X20\nZ5\nM30\n");
+    const CheckReport stopped = reportOf(kHead + "G1 Z-2 F100\nM5\nX10\nG0 Z5\nM30\n");
+    EXPECT_EQ(changeBetween(rapid, laterRapid), CheckChange()) << "only its line is another one";
+    EXPECT_EQ(changeBetween(rapid, stopped), (CheckChange{1, 1}));
+    EXPECT_EQ(changeBetween(reportOf(kClean), stopped), (CheckChange{1, 0}));
+}
+
 TEST(Check, ReportsItsProgress) {
     std::vector<double> done;
     const auto report = check(subjectOf(randomProgram(1, 400)), {}, kAnyMemory,

@@ -96,6 +96,10 @@ private slots:
         QVERIFY(bench.hub().progress());
         QVERIFY(bench.isChecked());
         QVERIFY(bench.verdict() == Verdict::safe);
+        QVERIFY(bench.hub().change() == (CheckChange{0, 1}));
+        QVERIFY(bench.open(text));
+        QVERIFY(bench.isChecked());
+        QVERIFY2(!bench.hub().change() || bench.hub().change()->added == 0, "another text is no change");
     }
 
     void aChangedSetupIsCheckedAgain() {

@@ -16,6 +16,9 @@
 
 #include "core/cutter/cutter.h"
 #include "tests/ui/window/workstation.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
+#include "ui/look/diagnostic_text.h"
 #include "ui/look/languages.h"
 #include "ui/look/theme.h"
 
@@ -93,6 +96,14 @@ private slots:
         QVERIFY2(bench.badge().toolTip().contains(QStringLiteral("Line 8, block 4: ")),
                  qPrintable(bench.badge().toolTip()));
         QCOMPARE(bench.badge().accessibleName(), QStringLiteral("Verdict: FAULTS 1"));
+        // It is marked at its block and its line, without being played.
+        TimelineScale& scale = bench.station.scale();
+        const QPoint mark(static_cast<int>(scale.positionOf(4)), 4);
+        QTRY_COMPARE_WITH_TIMEOUT(scale.grab().toImage().pixelColor(mark),
+                                  severityColor(meaningColors(scale.palette()), Severity::fault), kPatience);
+        QVERIFY(bench.station.window.editor().editor().markersAtLine(7) != 0);
+        QVERIFY(bench.station.window.editor().editor().markersAtLine(6) == 0);
+        QCOMPARE(bench.station.session.simulation().block(), std::size_t{0});
         // The edit removes the fault; what was not checked remains.
         const auto place = static_cast<std::size_t>(kFaulty.indexOf("G0 X20"));
         bench.station.session.document().applyEdit(place, 2, "G1");
@@ -149,6 +160,9 @@ private slots:
                 bench.station.appearance.setLanguage(language.code);
                 QTRY_VERIFY2_WITH_TIMEOUT(bench.badge().width() >= bench.badge().sizeHint().width(),
                                           qPrintable(language.code), kPatience);
+                for (const NotCheckedRow& row : notCheckedRows())
+                    QCOMPARE(coreText(row.title) != QLatin1String(row.title),
+                             language.code != QLatin1String("en"));
             }
             bench.station.appearance.setLanguage(QStringLiteral("en"));
         }
