@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Findings of the rules: what is judged once a program has been run. The first argument of a sentence is the
-// value that was found, the second the limit. The window does not show them yet, so they are not marked for
-// translation.
+// value that was found, the second the limit.
 #pragma once
 
 #include <array>
