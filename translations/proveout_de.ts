@@ -4987,6 +4987,230 @@ Vorgabe: 0 mm</translation>
         <translation>Das Feld „{}“ ist keine Spannvorrichtung: {}</translation>
     </message>
     <message>
+        <source>The unconfirmed tool moves sideways in material, {} mm deep, but only cuts along its axis.</source>
+        <translation>Das unbestätigte Werkzeug fährt seitlich durch Material, {} mm tief, schneidet aber nur längs seiner Achse.</translation>
+    </message>
+    <message>
+        <source>Confirm the tool in the tool table, or choose another shape.</source>
+        <translation>Bestätigen Sie das Werkzeug in der Werkzeugtabelle, oder wählen Sie eine andere Form.</translation>
+    </message>
+    <message>
+        <source>Fixture collision</source>
+        <translation>Kollision mit Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>The tool collides with the fixture &quot;{3}&quot;, {1} mm deep.</source>
+        <translation>Das Werkzeug kollidiert mit der Spannvorrichtung „{3}“, {1} mm tief.</translation>
+    </message>
+    <message>
+        <source>Move the fixture, or retract higher before the tool passes it.</source>
+        <translation>Versetzen Sie die Spannvorrichtung, oder fahren Sie höher frei, bevor das Werkzeug an ihr vorbeifährt.</translation>
+    </message>
+    <message>
+        <source>Fixture too near</source>
+        <translation>Spannvorrichtung zu nah</translation>
+    </message>
+    <message>
+        <source>The tool passes nearer than {2} mm to the fixture &quot;{3}&quot;, by {1} mm.</source>
+        <translation>Das Werkzeug fährt näher als {2} mm an der Spannvorrichtung „{3}“ vorbei, um {1} mm zu nah.</translation>
+    </message>
+    <message>
+        <source>Move the fixture, retract higher, or allow less clearance.</source>
+        <translation>Versetzen Sie die Spannvorrichtung, fahren Sie höher frei, oder erlauben Sie weniger Abstand.</translation>
+    </message>
+    <message>
+        <source>Rapid close to stock</source>
+        <translation>Eilgang nah am Rohteil</translation>
+    </message>
+    <message>
+        <source>The rapid move passes the stock {} mm closer than the clearance of {} mm.</source>
+        <translation>Der Eilgang fährt um {} mm näher am Rohteil vorbei, als es der Sicherheitsabstand von {} mm erlaubt.</translation>
+    </message>
+    <message>
+        <source>Retract higher before the rapid, or reduce rapidClearance.</source>
+        <translation>Fahren Sie vor dem Eilgang höher frei, oder verkleinern Sie rapidClearance.</translation>
+    </message>
+    <message>
+        <source>Axial depth too large</source>
+        <translation>Schnitttiefe zu groß</translation>
+    </message>
+    <message>
+        <source>The axial depth of cut of {} mm is above the maximum of the tool, {} mm.</source>
+        <translation>Die Schnitttiefe von {} mm liegt über dem Höchstwert des Werkzeugs, {} mm.</translation>
+    </message>
+    <message>
+        <source>Cut in shallower passes, or choose another tool.</source>
+        <translation>Schneiden Sie in flacheren Durchgängen, oder wählen Sie ein anderes Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Radial engagement too large</source>
+        <translation>Eingriffsbreite zu groß</translation>
+    </message>
+    <message>
+        <source>The radial engagement of {} mm is above the maximum of the tool, {} mm.</source>
+        <translation>Die Eingriffsbreite von {} mm liegt über dem Höchstwert des Werkzeugs, {} mm.</translation>
+    </message>
+    <message>
+        <source>Reduce the stepover, clear corners first, or choose another tool.</source>
+        <translation>Verkleinern Sie die Zustellung, räumen Sie Ecken vorher aus, oder wählen Sie ein anderes Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Radial engagement jumps</source>
+        <translation>Eingriffsbreite springt</translation>
+    </message>
+    <message>
+        <source>From one block to the next the radial engagement more than doubles, to {} mm; the maximum of the tool is {} mm.</source>
+        <translation>Von einem Satz zum nächsten steigt die Eingriffsbreite auf mehr als das Doppelte, auf {} mm; der Höchstwert des Werkzeugs ist {} mm.</translation>
+    </message>
+    <message>
+        <source>Round the corner, or clear it first.</source>
+        <translation>Runden Sie die Ecke, oder räumen Sie sie vorher aus.</translation>
+    </message>
+    <message>
+        <source>Slot of full width</source>
+        <translation>Nut in voller Breite</translation>
+    </message>
+    <message>
+        <source>The tool cuts {} mm wide, a slot of its full diameter, {} mm; no radial limit is stated for it.</source>
+        <translation>Das Werkzeug schneidet {} mm breit, eine Nut in seinem vollen Durchmesser, {} mm; für die Eingriffsbreite ist kein Grenzwert angegeben.</translation>
+    </message>
+    <message>
+        <source>State maxae for the tool if it may not, or turn this rule off.</source>
+        <translation>Geben Sie maxae für das Werkzeug an, wenn es das nicht darf, oder schalten Sie diese Regel aus.</translation>
+    </message>
+    <message>
+        <source>Chips too thick</source>
+        <translation>Späne zu dick</translation>
+    </message>
+    <message>
+        <source>The chip thickness of {} mm is above the maximum of the tool, {} mm.</source>
+        <translation>Die Spandicke von {} mm liegt über dem Höchstwert des Werkzeugs, {} mm.</translation>
+    </message>
+    <message>
+        <source>Reduce the feed rate, or raise the spindle speed.</source>
+        <translation>Verringern Sie den Vorschub, oder erhöhen Sie die Drehzahl.</translation>
+    </message>
+    <message>
+        <source>Surface speed too high</source>
+        <translation>Schnittgeschwindigkeit zu hoch</translation>
+    </message>
+    <message>
+        <source>The surface speed of {} m/min is above the maximum of the tool, {} m/min.</source>
+        <translation>Die Schnittgeschwindigkeit von {} m/min liegt über dem Höchstwert des Werkzeugs, {} m/min.</translation>
+    </message>
+    <message>
+        <source>Reduce the spindle speed.</source>
+        <translation>Verringern Sie die Drehzahl.</translation>
+    </message>
+    <message>
+        <source>Removal rate too high</source>
+        <translation>Zeitspanvolumen zu groß</translation>
+    </message>
+    <message>
+        <source>The tool removes {} cm³/min; its maximum is {} cm³/min.</source>
+        <translation>Das Werkzeug trägt {} cm³/min ab; sein Höchstwert ist {} cm³/min.</translation>
+    </message>
+    <message>
+        <source>Reduce the feed rate, the depth or the stepover.</source>
+        <translation>Verringern Sie Vorschub, Tiefe oder Zustellung.</translation>
+    </message>
+    <message>
+        <source>Feed above tool maximum</source>
+        <translation>Vorschub über Höchstwert des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>The tool cuts at a feed rate of {} mm/min; its maximum is {} mm/min.</source>
+        <translation>Das Werkzeug schneidet mit einem Vorschub von {} mm/min; sein Höchstwert ist {} mm/min.</translation>
+    </message>
+    <message>
+        <source>Reduce F, or correct maxfeed of the tool.</source>
+        <translation>Verringern Sie F, oder korrigieren Sie maxfeed des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Spindle above tool maximum</source>
+        <translation>Drehzahl über Höchstwert des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>The tool turns at {} rpm; its maximum is {} rpm.</source>
+        <translation>Das Werkzeug dreht mit {} 1/min; sein Höchstwert ist {} 1/min.</translation>
+    </message>
+    <message>
+        <source>Reduce S, or correct maxrpm of the tool.</source>
+        <translation>Verringern Sie S, oder korrigieren Sie maxrpm des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>Spindle speed too high</source>
+        <translation>Drehzahl zu hoch</translation>
+    </message>
+    <message>
+        <source>The spindle speed of {} rpm is above the maximum of the machine, {} rpm.</source>
+        <translation>Die Drehzahl von {} 1/min liegt über dem Höchstwert der Maschine, {} 1/min.</translation>
+    </message>
+    <message>
+        <source>Reduce S, or correct the machine values.</source>
+        <translation>Verringern Sie S, oder korrigieren Sie die Maschinenwerte.</translation>
+    </message>
+    <message>
+        <source>Ramp too steep</source>
+        <translation>Rampe zu steil</translation>
+    </message>
+    <message>
+        <source>The tool goes down into material at {}°; its steepest ramp is {}°.</source>
+        <translation>Das Werkzeug fährt mit {}° ins Material; seine steilste Rampe ist {}°.</translation>
+    </message>
+    <message>
+        <source>Lengthen the ramp or the helix, or drill a hole for the tool first.</source>
+        <translation>Verlängern Sie die Rampe oder die Wendel, oder bohren Sie zuerst ein Loch für das Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Tap out of step</source>
+        <translation>Gewindebohrer nicht synchron</translation>
+    </message>
+    <message>
+        <source>The tap moves at a feed rate of {} mm/min; its pitch and the spindle speed need {} mm/min.</source>
+        <translation>Der Gewindebohrer fährt mit einem Vorschub von {} mm/min; Steigung und Drehzahl verlangen {} mm/min.</translation>
+    </message>
+    <message>
+        <source>Program F as pitch times spindle speed, or the pitch in G95.</source>
+        <translation>Programmieren Sie F als Steigung mal Drehzahl, oder die Steigung in G95.</translation>
+    </message>
+    <message>
+        <source>Tap not reversed</source>
+        <translation>Gewindebohrer nicht umgekehrt</translation>
+    </message>
+    <message>
+        <source>The tap is retracted from a thread {} mm deep without reversing the spindle.</source>
+        <translation>Der Gewindebohrer fährt aus einem {} mm tiefen Gewinde, ohne dass die Spindel umkehrt.</translation>
+    </message>
+    <message>
+        <source>Tap with G84, G74 or G33.1; turn this rule off for a reversing tap holder.</source>
+        <translation>Bohren Sie Gewinde mit G84, G74 oder G33.1; schalten Sie diese Regel für ein umkehrendes Futter aus.</translation>
+    </message>
+    <message>
+        <source>Tool differs from comment</source>
+        <translation>Werkzeug weicht vom Kommentar ab</translation>
+    </message>
+    <message>
+        <source>The comment describes T{} as ⌀ {} mm; the tool table has ⌀ {} mm.</source>
+        <translation>Der Kommentar beschreibt T{} mit ⌀ {} mm; die Werkzeugtabelle hat ⌀ {} mm.</translation>
+    </message>
+    <message>
+        <source>Load the tool that the program was made for, or correct the comment.</source>
+        <translation>Laden Sie das Werkzeug, für das das Programm gemacht wurde, oder korrigieren Sie den Kommentar.</translation>
+    </message>
+    <message>
+        <source>The comment describes T{} as “{}”; the tool table has “{}”.</source>
+        <translation>Der Kommentar beschreibt T{} als „{}“; die Werkzeugtabelle hat „{}“.</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate and spindle speed of the machine</source>
+        <translation>Größter Vorschub und größte Drehzahl der Maschine</translation>
+    </message>
+    <message>
+        <source>Maximum spindle speed of the machine</source>
+        <translation>Größte Drehzahl der Maschine</translation>
+    </message>
+    <message>
         <source>&quot;{}&quot; of the machine must be a number from {} to {}.</source>
         <translation>„{}“ der Maschine muss eine Zahl von {} bis {} sein.</translation>
     </message>
@@ -7753,10 +7977,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Travel limits of the machine</source>
         <translation>Verfahrgrenzen der Maschine</translation>
-    </message>
-    <message>
-        <source>Maximum feed rate of the machine</source>
-        <translation>Größter Vorschub der Maschine</translation>
     </message>
     <message>
         <source>Load of the tools</source>

@@ -4987,6 +4987,230 @@ Default: 0 mm</source>
         <translation>필드 &quot;{}&quot;은(는) 고정구가 아닙니다: {}</translation>
     </message>
     <message>
+        <source>The unconfirmed tool moves sideways in material, {} mm deep, but only cuts along its axis.</source>
+        <translation>확인되지 않은 공구가 소재 안에서 {} mm 깊이로 옆으로 움직이지만, 이 공구는 축 방향으로만 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Confirm the tool in the tool table, or choose another shape.</source>
+        <translation>공구 테이블에서 공구를 확인하거나 다른 형상을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Fixture collision</source>
+        <translation>고정구 충돌</translation>
+    </message>
+    <message>
+        <source>The tool collides with the fixture &quot;{3}&quot;, {1} mm deep.</source>
+        <translation>공구가 고정구 &quot;{3}&quot;와(과) {1} mm 깊이로 충돌합니다.</translation>
+    </message>
+    <message>
+        <source>Move the fixture, or retract higher before the tool passes it.</source>
+        <translation>고정구를 옮기거나, 공구가 지나가기 전에 더 높이 후퇴하십시오.</translation>
+    </message>
+    <message>
+        <source>Fixture too near</source>
+        <translation>고정구가 너무 가까움</translation>
+    </message>
+    <message>
+        <source>The tool passes nearer than {2} mm to the fixture &quot;{3}&quot;, by {1} mm.</source>
+        <translation>공구가 고정구 &quot;{3}&quot;에 {2} mm보다 {1} mm 더 가까이 지나갑니다.</translation>
+    </message>
+    <message>
+        <source>Move the fixture, retract higher, or allow less clearance.</source>
+        <translation>고정구를 옮기거나, 더 높이 후퇴하거나, 더 작은 간격을 허용하십시오.</translation>
+    </message>
+    <message>
+        <source>Rapid close to stock</source>
+        <translation>소재 가까이 급속 이송</translation>
+    </message>
+    <message>
+        <source>The rapid move passes the stock {} mm closer than the clearance of {} mm.</source>
+        <translation>급속 이송이 소재를 {1} mm 더 가까이 지나갑니다(간격 {2} mm).</translation>
+    </message>
+    <message>
+        <source>Retract higher before the rapid, or reduce rapidClearance.</source>
+        <translation>급속 이송 전에 더 높이 후퇴하거나 rapidClearance를 줄이십시오.</translation>
+    </message>
+    <message>
+        <source>Axial depth too large</source>
+        <translation>축 방향 절입 깊이 초과</translation>
+    </message>
+    <message>
+        <source>The axial depth of cut of {} mm is above the maximum of the tool, {} mm.</source>
+        <translation>축 방향 절입 깊이 {} mm가 공구의 최댓값 {} mm를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Cut in shallower passes, or choose another tool.</source>
+        <translation>더 얕게 나누어 절삭하거나 다른 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Radial engagement too large</source>
+        <translation>반경 방향 맞물림 초과</translation>
+    </message>
+    <message>
+        <source>The radial engagement of {} mm is above the maximum of the tool, {} mm.</source>
+        <translation>반경 방향 맞물림 {} mm가 공구의 최댓값 {} mm를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Reduce the stepover, clear corners first, or choose another tool.</source>
+        <translation>스텝오버를 줄이거나, 모서리를 먼저 가공하거나, 다른 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Radial engagement jumps</source>
+        <translation>반경 방향 맞물림 급변</translation>
+    </message>
+    <message>
+        <source>From one block to the next the radial engagement more than doubles, to {} mm; the maximum of the tool is {} mm.</source>
+        <translation>한 블록에서 다음 블록으로 반경 방향 맞물림이 두 배 넘게 늘어 {} mm가 됩니다. 공구의 최댓값은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Round the corner, or clear it first.</source>
+        <translation>모서리를 둥글게 하거나 먼저 가공하십시오.</translation>
+    </message>
+    <message>
+        <source>Slot of full width</source>
+        <translation>전폭 홈 가공</translation>
+    </message>
+    <message>
+        <source>The tool cuts {} mm wide, a slot of its full diameter, {} mm; no radial limit is stated for it.</source>
+        <translation>공구가 {} mm 폭으로, 전체 지름 {} mm의 홈을 절삭합니다. 반경 방향 한계가 지정되어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>State maxae for the tool if it may not, or turn this rule off.</source>
+        <translation>허용되지 않으면 공구의 maxae를 지정하거나 이 규칙을 끄십시오.</translation>
+    </message>
+    <message>
+        <source>Chips too thick</source>
+        <translation>칩이 너무 두꺼움</translation>
+    </message>
+    <message>
+        <source>The chip thickness of {} mm is above the maximum of the tool, {} mm.</source>
+        <translation>칩 두께 {} mm가 공구의 최댓값 {} mm를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Reduce the feed rate, or raise the spindle speed.</source>
+        <translation>이송 속도를 줄이거나 주축 회전수를 높이십시오.</translation>
+    </message>
+    <message>
+        <source>Surface speed too high</source>
+        <translation>절삭 속도 초과</translation>
+    </message>
+    <message>
+        <source>The surface speed of {} m/min is above the maximum of the tool, {} m/min.</source>
+        <translation>절삭 속도 {} m/min이 공구의 최댓값 {} m/min을 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Reduce the spindle speed.</source>
+        <translation>주축 회전수를 줄이십시오.</translation>
+    </message>
+    <message>
+        <source>Removal rate too high</source>
+        <translation>소재 제거율 초과</translation>
+    </message>
+    <message>
+        <source>The tool removes {} cm³/min; its maximum is {} cm³/min.</source>
+        <translation>공구가 {} cm³/min을 제거합니다. 최댓값은 {} cm³/min입니다.</translation>
+    </message>
+    <message>
+        <source>Reduce the feed rate, the depth or the stepover.</source>
+        <translation>이송 속도, 깊이 또는 스텝오버를 줄이십시오.</translation>
+    </message>
+    <message>
+        <source>Feed above tool maximum</source>
+        <translation>공구 최대 이송 초과</translation>
+    </message>
+    <message>
+        <source>The tool cuts at a feed rate of {} mm/min; its maximum is {} mm/min.</source>
+        <translation>공구가 이송 속도 {} mm/min으로 절삭합니다. 최댓값은 {} mm/min입니다.</translation>
+    </message>
+    <message>
+        <source>Reduce F, or correct maxfeed of the tool.</source>
+        <translation>F를 줄이거나 공구의 maxfeed를 고치십시오.</translation>
+    </message>
+    <message>
+        <source>Spindle above tool maximum</source>
+        <translation>공구 최대 회전수 초과</translation>
+    </message>
+    <message>
+        <source>The tool turns at {} rpm; its maximum is {} rpm.</source>
+        <translation>공구가 {} rpm으로 회전합니다. 최댓값은 {} rpm입니다.</translation>
+    </message>
+    <message>
+        <source>Reduce S, or correct maxrpm of the tool.</source>
+        <translation>S를 줄이거나 공구의 maxrpm을 고치십시오.</translation>
+    </message>
+    <message>
+        <source>Spindle speed too high</source>
+        <translation>주축 회전수 초과</translation>
+    </message>
+    <message>
+        <source>The spindle speed of {} rpm is above the maximum of the machine, {} rpm.</source>
+        <translation>주축 회전수 {} rpm이 기계의 최댓값 {} rpm을 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Reduce S, or correct the machine values.</source>
+        <translation>S를 줄이거나 기계 값을 고치십시오.</translation>
+    </message>
+    <message>
+        <source>Ramp too steep</source>
+        <translation>램프가 너무 가파름</translation>
+    </message>
+    <message>
+        <source>The tool goes down into material at {}°; its steepest ramp is {}°.</source>
+        <translation>공구가 {}°로 소재에 들어갑니다. 가장 가파른 램프는 {}°입니다.</translation>
+    </message>
+    <message>
+        <source>Lengthen the ramp or the helix, or drill a hole for the tool first.</source>
+        <translation>램프나 나선을 길게 하거나, 먼저 공구가 들어갈 구멍을 뚫으십시오.</translation>
+    </message>
+    <message>
+        <source>Tap out of step</source>
+        <translation>탭 동기 불일치</translation>
+    </message>
+    <message>
+        <source>The tap moves at a feed rate of {} mm/min; its pitch and the spindle speed need {} mm/min.</source>
+        <translation>탭이 이송 속도 {} mm/min으로 움직입니다. 피치와 주축 회전수에는 {} mm/min이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Program F as pitch times spindle speed, or the pitch in G95.</source>
+        <translation>F를 피치 곱하기 주축 회전수로, 또는 G95에서 피치로 프로그램하십시오.</translation>
+    </message>
+    <message>
+        <source>Tap not reversed</source>
+        <translation>탭이 역회전하지 않음</translation>
+    </message>
+    <message>
+        <source>The tap is retracted from a thread {} mm deep without reversing the spindle.</source>
+        <translation>주축 역회전 없이 탭이 {} mm 깊이의 나사에서 빠져나옵니다.</translation>
+    </message>
+    <message>
+        <source>Tap with G84, G74 or G33.1; turn this rule off for a reversing tap holder.</source>
+        <translation>G84, G74 또는 G33.1로 탭핑하십시오. 자동 역전 탭 홀더라면 이 규칙을 끄십시오.</translation>
+    </message>
+    <message>
+        <source>Tool differs from comment</source>
+        <translation>공구가 주석과 다름</translation>
+    </message>
+    <message>
+        <source>The comment describes T{} as ⌀ {} mm; the tool table has ⌀ {} mm.</source>
+        <translation>주석은 T{}을(를) ⌀ {} mm로 설명하지만, 공구 테이블에는 ⌀ {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Load the tool that the program was made for, or correct the comment.</source>
+        <translation>프로그램에 맞는 공구를 불러오거나 주석을 고치십시오.</translation>
+    </message>
+    <message>
+        <source>The comment describes T{} as “{}”; the tool table has “{}”.</source>
+        <translation>주석은 T{}을(를) “{}”로 설명하지만, 공구 테이블에는 “{}”입니다.</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate and spindle speed of the machine</source>
+        <translation>기계의 최대 이송 속도와 주축 회전수</translation>
+    </message>
+    <message>
+        <source>Maximum spindle speed of the machine</source>
+        <translation>기계의 최대 주축 회전수</translation>
+    </message>
+    <message>
         <source>&quot;{}&quot; of the machine must be a number from {} to {}.</source>
         <translation>기계의 &quot;{}&quot;은(는) {}에서 {} 사이의 숫자여야 합니다.</translation>
     </message>
@@ -7753,10 +7977,6 @@ Default: 0 mm</source>
     <message>
         <source>Travel limits of the machine</source>
         <translation>기계의 이동 한계</translation>
-    </message>
-    <message>
-        <source>Maximum feed rate of the machine</source>
-        <translation>기계의 최대 이송 속도</translation>
     </message>
     <message>
         <source>Load of the tools</source>

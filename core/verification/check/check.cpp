@@ -47,9 +47,9 @@ public:
         }
         if (m_context.stopped())
             return nullptr;
-        m_report.notChecked = notChecked({m_program, *m_subject.setup, m_tools, m_subject.hasStock,
-                                          machine(), m_subject.stockFitted},
-                                         m_rules.accepted);
+        m_report.notChecked = notChecked(
+            {m_program, *m_subject.setup, m_tools, m_subject.hasStock, machine(), m_subject.stockFitted},
+            m_rules.accepted);
         m_report.programUnverified = m_program.unverified() || m_program.motionCount() == 0;
         m_context.report(1);
         return std::make_shared<const CheckReport>(std::move(m_report));
