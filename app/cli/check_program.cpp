@@ -34,14 +34,14 @@ public:
         m_job = std::move(*job);
         m_checked.program = m_job.program;
         if (auto read = interpret(); !read)
-            return refuse(m_job.warnings, std::move(read.error()));
+            return refuse(m_job.warnings, read.error());
         const bool hasStock = isJob(m_checked.input) || m_options.setup.stockGiven();
         if (hasStock) {
             m_job.parameters.method = DecimationMethod::none;
             m_job.parameters.period = 0;
             SetupOptions::settleGrid(m_job, *m_program, {});
             if (auto fits = m_options.setup.checkGrid(m_job, {}); !fits)
-                return refuseRead(std::move(fits.error()));
+                return refuseRead(fits.error());
         }
         const auto report = check({.program = m_program,
                                    .setup = std::make_shared<const Setup>(m_job.setup),
