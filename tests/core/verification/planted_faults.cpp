@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace proveout {
 
@@ -340,7 +341,7 @@ void plantWrongUnit(Planting& p, bool tooSmall) {
 
 void plantInchesAsMillimetres(Planting& p) {
     plantWrongUnit(p, true);
-    p.alsoFound = {"nothing-cut"};
+    p.alsoFound = {"nothing-cut", "rapid-too-close"};
 }
 
 void plantMillimetresAsInches(Planting& p) {
@@ -388,6 +389,169 @@ void plantFixtureInCycle(Planting& p) {
     p.value = 16; // to the bottom of the hole
 }
 
+// ---- what a tool may do ----
+
+void setSpindle(TwinProgram& out, int faulty, int clean) {
+    out.faulty(fmt::format("S{}", faulty));
+    out.clean(fmt::format("S{}", clean));
+}
+
+/// A slot of the full width of a flat mill, after a plunge; the fault is in its second block.
+void writeFullSlot(Planting& p, int depth, int faultyFeed, int cleanFeed) {
+    p.shape = "flat";
+    p.program.line("G0 X[20] Y[92.25] Z[5]"); // no point of the grid is on its edges
+    p.program.line(fmt::format("G1 Z[-{}] F[100]", depth));
+    p.program.mark();
+    p.program.faulty(fmt::format("X[60] F[{}]", faultyFeed));
+    p.program.clean(fmt::format("X[60] F[{}]", cleanFeed));
+}
+
+void plantDepth(Planting& p) {
+    p.limits = ",maxap=4";
+    const int depth = p.program.among(5, 10);
+    p.program.line(kToFault);
+    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", depth));
+    p.program.clean("G1 Z[-4] F[200]");
+    p.program.mark(); // a plunge does not load the side
+    p.program.line("X[50]");
+    p.value = depth;
+}
+
+/// Along the edge of the stock at Y110, between points of the grid.
+void plantEngagement(Planting& p) {
+    p.shape = "flat";
+    p.limits = ",maxae=2";
+    const double edge = 110 + p.diameter / 2.0;
+    p.program.line("G0 X[-20] Y[130] Z[-5]");
+    const int width = p.program.among(3, 4);
+    p.program.faulty(fmt::format("Y[{}]", edge - width));
+    p.program.clean(fmt::format("Y[{}]", edge - 1));
+    p.program.mark();
+    p.program.line("G1 X[160] F[800]");
+    p.program.line("G0 Z[50]");
+}
+
+void plantChips(Planting& p) {
+    p.limits = ",z=2,maxchip=0.6";
+    const int feed = p.program.among(14, 24) * 100;
+    p.program.line("S1000");
+    writeFullSlot(p, 2, feed, 1000);
+    p.value = feed / 2000.0;
+}
+
+void plantSurfaceSpeed(Planting& p) {
+    p.limits = ",maxvc=200";
+    const int speed = p.program.among(20, 30) * 1000;
+    setSpindle(p.program, speed, 6000);
+    writeFullSlot(p, 2, 300, 300);
+    p.program.markBefore(1); // the plunge turns as fast
+    p.program.line("G0 Z[5]");
+    setSpindle(p.program, 5000, 5000);
+    p.value = std::numbers::pi * p.diameter * speed / 1000;
+}
+
+void plantToolFeed(Planting& p) {
+    p.limits = ",maxfeed=2000";
+    const int feed = p.program.among(25, 50) * 100;
+    writeFullSlot(p, 2, feed, 2000);
+    p.value = feed;
+}
+
+void plantSpindle(Planting& p, int most) {
+    const int speed = most + p.program.among(1, 12) * 1000;
+    setSpindle(p.program, speed, most);
+    writeFullSlot(p, 2, 300, 300);
+    p.program.markBefore(1); // the plunge turns as fast
+    p.program.line("G0 Z[5]");
+    setSpindle(p.program, 5000, 5000);
+    p.value = speed;
+}
+
+void plantToolSpindle(Planting& p) {
+    p.limits = ",maxrpm=8000";
+    plantSpindle(p, 8000);
+}
+
+void plantMachineSpindle(Planting& p) {
+    p.machine = Machine();
+    p.machine->largestSpindle = 9000;
+    plantSpindle(p, 9000);
+    p.program.markBefore(1); // the approach turns as fast
+}
+
+void plantRemovalRate(Planting& p) {
+    p.limits = ",maxmrr=30";
+    const int rate = p.program.among(35, 60);
+    const int feed = rate * 1000 / (5 * p.diameter);
+    writeFullSlot(p, 5, feed, 400);
+    p.value = p.diameter * 5 * feed / 1000.0;
+}
+
+void plantRamp(Planting& p) {
+    p.limits = ",ramp=10";
+    const int depth = p.program.among(5, 9);
+    p.program.line("G0 X[20] Y[92] Z[5]");
+    p.program.line("G1 Z[0] F[300]");
+    p.program.mark();
+    p.program.faulty(fmt::format("X[40] Z[-{}]", depth));
+    p.program.clean("X[40] Z[-3]");
+    p.program.line("X[120] F[800]");
+    p.value = std::atan2(depth, 20.0) * 180 / std::numbers::pi;
+}
+
+void plantPlunge(Planting& p) {
+    p.limits = ",centre=0";
+    const int depth = p.program.among(2, 6);
+    p.program.line("G0 X[20] Y[92] Z[5]");
+    p.program.line("G1 Z[0] F[300]");
+    p.program.mark();
+    p.program.faulty(fmt::format("Z[-{}]", depth));
+    p.program.clean(fmt::format("X[40] Z[-{}]", depth));
+    p.program.line("X[120] F[800]");
+    p.value = depth;
+}
+
+void plantTapFeed(Planting& p) {
+    changeTo(p.program, 2);
+    p.program.line(kToFault);
+    p.program.line("G98 G81 Z[-10] R[2] F[300]");
+    p.program.line("G80");
+    changeTo(p.program, 4);
+    p.program.line("S500");
+    p.program.line(kToFault);
+    const int feed = 500 + p.program.among(1, 5) * 20;
+    p.program.mark();
+    p.program.faulty(fmt::format("G98 G84 Z[-8] R[5] F[{}]", feed));
+    p.program.clean("G98 G84 Z[-8] R[5] F[500]");
+    p.program.line("G80");
+    changeTo(p.program, 1);
+    p.value = feed;
+}
+
+void plantTapWithoutHole(Planting& p) {
+    changeTo(p.program, 2);
+    p.program.line(kToFault);
+    p.program.clean("G98 G81 Z[-10] R[2] F[300]");
+    p.program.clean("G80");
+    changeTo(p.program, 4);
+    p.program.line("S500");
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.line("G98 G84 Z[-8] R[5] F[500]");
+    p.program.line("G80");
+    changeTo(p.program, 1);
+    p.value = 8;
+}
+
+void plantCloseRapid(Planting& p) {
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty("G0 Z[0.4]");
+    p.program.clean("G0 Z[2]");
+    p.program.line("X[60]");
+    p.value = 0.6;
+}
+
 // ---- the rows ----
 
 constexpr std::array kKinds{
@@ -410,6 +574,19 @@ constexpr std::array kKinds{
     PlantedKind{"fixture, rapid", "fixture-collision", plantFixtureInRapid},
     PlantedKind{"fixture, arc", "fixture-collision", plantFixtureInArc},
     PlantedKind{"fixture, cycle", "fixture-collision", plantFixtureInCycle},
+    PlantedKind{"axial depth", "depth-limit", plantDepth},
+    PlantedKind{"radial engagement", "engagement-limit", plantEngagement, true},
+    PlantedKind{"chip thickness", "chip-limit", plantChips},
+    PlantedKind{"surface speed", "surface-speed", plantSurfaceSpeed},
+    PlantedKind{"feed of the tool", "tool-feed-limit", plantToolFeed},
+    PlantedKind{"spindle of the tool", "tool-spindle-limit", plantToolSpindle},
+    PlantedKind{"spindle of the machine", "spindle-limit", plantMachineSpindle},
+    PlantedKind{"removal rate", "removal-rate-limit", plantRemovalRate},
+    PlantedKind{"ramp", "ramp-too-steep", plantRamp, true},
+    PlantedKind{"plunge without centre", "plunge-not-allowed", plantPlunge, true},
+    PlantedKind{"feed of a tap", "tap-feed", plantTapFeed},
+    PlantedKind{"tap without a hole", "plunge-not-allowed", plantTapWithoutHole},
+    PlantedKind{"rapid near the stock", "rapid-too-close", plantCloseRapid},
     PlantedKind{"loose piece", "loose-piece", plantLoosePiece},
     PlantedKind{"beside the stock", "nothing-cut", plantNothingCut, true},
     PlantedKind{"hardly a cut", "nothing-cut", plantHardlyCuts, true},
@@ -427,7 +604,7 @@ std::string millOf(const Planting& p) {
         spec += ",r=1";
     if (p.shank > 0)
         spec += fmt::format(",sd={}", p.shank);
-    return spec;
+    return spec + p.limits;
 }
 
 void writeHead(TwinProgram& out) {
@@ -487,6 +664,7 @@ PlantedPair plantedPair(const PlantedKind& kind, std::uint_fast32_t seed) {
     pair.setup.fixtures = planting.fixtures;
     pair.setup.tools.set(1, parseCutter(millOf(planting)).value());
     pair.setup.tools.set(2, parseCutter("drill:d=4,angle=118,l=60").value());
+    pair.setup.tools.set(4, parseCutter("tap:d=6,tip=4,lead=1,pitch=1,l=30").value());
     pair.setup.tools.set(3, parseCutter(fmt::format("tslot:d=12,w={},neck=6", kHeadWidth)).value());
     return pair;
 }

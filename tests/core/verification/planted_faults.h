@@ -16,7 +16,7 @@
 namespace proveout {
 
 /// What a kind of fault writes to. T1 is a mill, built after it was written; T2 a drill of 4 mm; T3 a keyseat
-/// cutter of 12 mm with a neck of 6 mm.
+/// cutter of 12 mm with a neck of 6 mm; T4 an M6 tap.
 struct Planting {
     TwinProgram program;
     std::string shape = "flat"; ///< of T1: flat, ball, bull
@@ -29,6 +29,7 @@ struct Planting {
     std::optional<Machine> machine = {};
     std::set<std::string> alsoFound = {}; ///< ids that the fault also breaks
     Fixtures fixtures = {};
+    std::string limits = {}; ///< of T1, as in a tool table: ",maxap=4"
 };
 
 struct PlantedKind {

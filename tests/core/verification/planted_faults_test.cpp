@@ -21,6 +21,7 @@ constexpr int kPairsOfAKind = 20;
 
 CheckRules acceptingAll() {
     CheckRules rules;
+    rules.limits.rapidClearance = 1;
     for (const NotCheckedRow& row : notCheckedRows())
         rules.accepted.insert(row.id);
     return rules;

@@ -32,6 +32,9 @@ public:
     /// The next line is the one with the fault.
     void mark() { m_markedLine = m_lines + 1; }
 
+    /// Marks a line that many lines before the marked one.
+    void markBefore(int lines) { m_markedLine -= lines; }
+
     /// A whole number, and one of two answers, of equal probability.
     [[nodiscard]] int among(int least, int most);
     [[nodiscard]] bool either() { return among(0, 1) == 1; }
