@@ -7851,44 +7851,44 @@ Vorgabe: 0 mm</translation>
         <translation>Über Mitte schneidend (1: ja, 0: nein)</translation>
     </message>
     <message>
-        <source>Steepest ramp into solid material</source>
+        <source>Steepest ramp into material</source>
         <translation>Steilste Rampe ins volle Material</translation>
     </message>
     <message>
-        <source>Maximum axial depth of cut (0: no limit)</source>
+        <source>Maximum axial depth (0: any)</source>
         <translation>Maximale axiale Schnitttiefe (0: keine Grenze)</translation>
     </message>
     <message>
-        <source>Maximum radial engagement (0: no limit)</source>
+        <source>Maximum engagement (0: any)</source>
         <translation>Maximaler radialer Eingriff (0: keine Grenze)</translation>
     </message>
     <message>
-        <source>Maximum chip thickness (0: no limit)</source>
+        <source>Maximum chip thickness (0: any)</source>
         <translation>Maximale Spanungsdicke (0: keine Grenze)</translation>
     </message>
     <message>
-        <source>Maximum spindle speed (0: no limit)</source>
+        <source>Maximum spindle speed (0: any)</source>
         <translation>Maximale Spindeldrehzahl (0: keine Grenze)</translation>
     </message>
     <message>
-        <source>Maximum feed rate in a cut (0: no limit)</source>
+        <source>Maximum feed in a cut (0: any)</source>
         <translation>Maximaler Vorschub im Schnitt (0: keine Grenze)</translation>
     </message>
     <message>
-        <source>Maximum surface speed (0: no limit)</source>
+        <source>Maximum surface speed (0: any)</source>
         <translation>Maximale Schnittgeschwindigkeit (0: keine Grenze)</translation>
     </message>
     <message>
-        <source>Maximum removal rate (0: no limit)</source>
+        <source>Maximum removal rate (0: any)</source>
         <translation>Maximales Zeitspanvolumen (0: keine Grenze)</translation>
     </message>
     <message>
-        <source>Maximum spindle speed (0: unknown)</source>
-        <translation>Maximale Spindeldrehzahl (0: unbekannt)</translation>
+        <source>Maximum spindle speed</source>
+        <translation>Maximale Spindeldrehzahl</translation>
     </message>
     <message>
-        <source>Programs are checked for higher spindle speeds.</source>
-        <translation>Programme werden auf höhere Spindeldrehzahlen geprüft.</translation>
+        <source>Programs are checked for higher spindle speeds; 0: unknown, not checked.</source>
+        <translation>Programme werden auf höhere Spindeldrehzahlen geprüft; 0: unbekannt, nicht geprüft.</translation>
     </message>
     <message>
         <source>Motion not allowed for tool</source>

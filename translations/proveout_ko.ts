@@ -7851,44 +7851,44 @@ Default: 0 mm</source>
         <translation>센터 커팅(1: 예, 0: 아니요)</translation>
     </message>
     <message>
-        <source>Steepest ramp into solid material</source>
+        <source>Steepest ramp into material</source>
         <translation>소재로 들어가는 최대 램프 각도</translation>
     </message>
     <message>
-        <source>Maximum axial depth of cut (0: no limit)</source>
+        <source>Maximum axial depth (0: any)</source>
         <translation>최대 축방향 절삭 깊이(0: 제한 없음)</translation>
     </message>
     <message>
-        <source>Maximum radial engagement (0: no limit)</source>
+        <source>Maximum engagement (0: any)</source>
         <translation>최대 반경방향 물림(0: 제한 없음)</translation>
     </message>
     <message>
-        <source>Maximum chip thickness (0: no limit)</source>
+        <source>Maximum chip thickness (0: any)</source>
         <translation>최대 칩 두께(0: 제한 없음)</translation>
     </message>
     <message>
-        <source>Maximum spindle speed (0: no limit)</source>
+        <source>Maximum spindle speed (0: any)</source>
         <translation>최대 주축 회전수(0: 제한 없음)</translation>
     </message>
     <message>
-        <source>Maximum feed rate in a cut (0: no limit)</source>
+        <source>Maximum feed in a cut (0: any)</source>
         <translation>절삭 중 최대 이송 속도(0: 제한 없음)</translation>
     </message>
     <message>
-        <source>Maximum surface speed (0: no limit)</source>
+        <source>Maximum surface speed (0: any)</source>
         <translation>최대 절삭 속도(0: 제한 없음)</translation>
     </message>
     <message>
-        <source>Maximum removal rate (0: no limit)</source>
+        <source>Maximum removal rate (0: any)</source>
         <translation>최대 절삭률(0: 제한 없음)</translation>
     </message>
     <message>
-        <source>Maximum spindle speed (0: unknown)</source>
-        <translation>최대 주축 회전수(0: 알 수 없음)</translation>
+        <source>Maximum spindle speed</source>
+        <translation>최대 주축 회전수</translation>
     </message>
     <message>
-        <source>Programs are checked for higher spindle speeds.</source>
-        <translation>프로그램에 더 높은 주축 회전수가 있는지 검사합니다.</translation>
+        <source>Programs are checked for higher spindle speeds; 0: unknown, not checked.</source>
+        <translation>프로그램에 더 높은 주축 회전수가 있는지 검사합니다. 0: 알 수 없음, 검사하지 않음.</translation>
     </message>
     <message>
         <source>Motion not allowed for tool</source>

@@ -139,14 +139,14 @@ constexpr std::array kCommonKeys = {
              false, "", "40x30+40-60x15"},
     whole({"z", PROVEOUT_TEXT("Core", "Teeth (0: unknown)"), "", 0, 1000, 0, false}),
     whole({"centre", PROVEOUT_TEXT("Core", "Centre-cutting (1: yes, 0: no)"), "", 0, 1, 1, false}),
-    ShapeKey{"ramp", PROVEOUT_TEXT("Core", "Steepest ramp into solid material"), "°", 0, 90, 90, false},
-    limit("maxap", PROVEOUT_TEXT("Core", "Maximum axial depth of cut (0: no limit)"), "mm"),
-    limit("maxae", PROVEOUT_TEXT("Core", "Maximum radial engagement (0: no limit)"), "mm"),
-    limit("maxchip", PROVEOUT_TEXT("Core", "Maximum chip thickness (0: no limit)"), "mm"),
-    limit("maxrpm", PROVEOUT_TEXT("Core", "Maximum spindle speed (0: no limit)"), "rpm"),
-    limit("maxfeed", PROVEOUT_TEXT("Core", "Maximum feed rate in a cut (0: no limit)"), "mm/min"),
-    limit("maxvc", PROVEOUT_TEXT("Core", "Maximum surface speed (0: no limit)"), "m/min"),
-    limit("maxmrr", PROVEOUT_TEXT("Core", "Maximum removal rate (0: no limit)"), "cm³/min"),
+    ShapeKey{"ramp", PROVEOUT_TEXT("Core", "Steepest ramp into material"), "°", 0, 90, 90, false},
+    limit("maxap", PROVEOUT_TEXT("Core", "Maximum axial depth (0: any)"), "mm"),
+    limit("maxae", PROVEOUT_TEXT("Core", "Maximum engagement (0: any)"), "mm"),
+    limit("maxchip", PROVEOUT_TEXT("Core", "Maximum chip thickness (0: any)"), "mm"),
+    limit("maxrpm", PROVEOUT_TEXT("Core", "Maximum spindle speed (0: any)"), "rpm"),
+    limit("maxfeed", PROVEOUT_TEXT("Core", "Maximum feed in a cut (0: any)"), "mm/min"),
+    limit("maxvc", PROVEOUT_TEXT("Core", "Maximum surface speed (0: any)"), "m/min"),
+    limit("maxmrr", PROVEOUT_TEXT("Core", "Maximum removal rate (0: any)"), "cm³/min"),
 };
 
 constexpr bool kNotCentreCutting = false;

@@ -18,7 +18,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kBoxWidth = 110;
+constexpr int kBoxWidth = 114;
 
 QString nameOf(const std::string& key) {
     return QString::fromStdString("tool-" + key);

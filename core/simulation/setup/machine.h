@@ -54,9 +54,10 @@ void describe(Params& machine, Visitor&& visit) {
                 .decimals = 0});
     visit(machine.largestSpindle,
           Field{.key = "largestSpindle",
-                .label = PROVEOUT_TEXT("Core", "Maximum spindle speed (0: unknown)"),
+                .label = PROVEOUT_TEXT("Core", "Maximum spindle speed"),
                 .unit = PROVEOUT_TEXT("Core", "rpm"),
-                .help = PROVEOUT_TEXT("Core", "Programs are checked for higher spindle speeds."),
+                .help = PROVEOUT_TEXT(
+                    "Core", "Programs are checked for higher spindle speeds; 0: unknown, not checked."),
                 .minimum = 0,
                 .maximum = 1e6,
                 .step = 500,
