@@ -63,7 +63,7 @@ TEST(ParseCutter, ReadsHowAToolMayBeUsed) {
     EXPECT_EQ(data.mostSurfaceSpeed, 180);
     EXPECT_EQ(data.mostRemoval, 40);
     EXPECT_EQ(parseCutter("tap:d=8,tip=6,lead=3,pitch=1.25").value().data().pitch, 1.25);
-    const CuttingData& none = parseCutter("ball:d=10").value().data();
+    const CuttingData none = parseCutter("ball:d=10").value().data();
     EXPECT_FALSE(none.limitsCut() || none.limitsLoad());
     EXPECT_EQ(none.steepestRamp, 90);
 }

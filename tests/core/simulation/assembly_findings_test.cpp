@@ -201,7 +201,7 @@ TEST(AssemblyFindings, OfManyBlocksAtOnceAreThoseOfSingleBlocks) {
         });
     }
     EXPECT_GT(found, 10U);
-    EXPECT_GT(plunges, 10U);
+    EXPECT_GT(plunges, static_cast<std::size_t>(roundsOf(30)));
 }
 
 TEST(AssemblyFindings, AreTheSameAfterAnySeek) {
