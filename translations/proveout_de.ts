@@ -4952,39 +4952,39 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Unknown fixture shape</source>
-        <translation>Unbekannte Form der Spannvorrichtung</translation>
+        <translation>Unbekannte Form des Spannmittels</translation>
     </message>
     <message>
         <source>A fixture cannot have the shape &quot;{}&quot;; it can be a box or a cylinder.</source>
-        <translation>Eine Spannvorrichtung kann nicht die Form „{}“ haben; sie kann box oder cylinder sein.</translation>
+        <translation>Ein Spannmittel kann nicht die Form „{}“ haben; es kann box oder cylinder sein.</translation>
     </message>
     <message>
         <source>Unknown fixture key</source>
-        <translation>Unbekannter Schlüssel der Spannvorrichtung</translation>
+        <translation>Unbekannter Schlüssel des Spannmittels</translation>
     </message>
     <message>
         <source>The shape of the fixture has no &quot;{}&quot;; it has {}.</source>
-        <translation>Die Form der Spannvorrichtung hat kein „{}“; sie hat {}.</translation>
+        <translation>Die Form des Spannmittels hat kein „{}“; sie hat {}.</translation>
     </message>
     <message>
         <source>Invalid fixture value</source>
-        <translation>Ungültiger Wert der Spannvorrichtung</translation>
+        <translation>Ungültiger Wert des Spannmittels</translation>
     </message>
     <message>
         <source>&quot;{}&quot; of the fixture must be a number from {} to {}.</source>
-        <translation>„{}“ der Spannvorrichtung muss eine Zahl von {} bis {} sein.</translation>
+        <translation>„{}“ des Spannmittels muss eine Zahl von {} bis {} sein.</translation>
     </message>
     <message>
         <source>Fixture without a name</source>
-        <translation>Spannvorrichtung ohne Namen</translation>
+        <translation>Spannmittel ohne Namen</translation>
     </message>
     <message>
         <source>The fixture needs a name, as in NAME=SHAPE:key=value.</source>
-        <translation>Die Spannvorrichtung braucht einen Namen, wie in NAME=FORM:Schlüssel=Wert.</translation>
+        <translation>Das Spannmittel braucht einen Namen, wie in NAME=FORM:Schlüssel=Wert.</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; is not a fixture: {}</source>
-        <translation>Das Feld „{}“ ist keine Spannvorrichtung: {}</translation>
+        <translation>Das Feld „{}“ ist kein Spannmittel: {}</translation>
     </message>
     <message>
         <source>The unconfirmed tool moves sideways in material, {} mm deep, but only cuts along its axis.</source>
@@ -4996,27 +4996,27 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Fixture collision</source>
-        <translation>Kollision mit Spannvorrichtung</translation>
+        <translation>Kollision mit Spannmittel</translation>
     </message>
     <message>
         <source>The tool collides with the fixture &quot;{3}&quot;, {1} mm deep.</source>
-        <translation>Das Werkzeug kollidiert mit der Spannvorrichtung „{3}“, {1} mm tief.</translation>
+        <translation>Das Werkzeug kollidiert mit dem Spannmittel „{3}“, {1} mm tief.</translation>
     </message>
     <message>
         <source>Move the fixture, or retract higher before the tool passes it.</source>
-        <translation>Versetzen Sie die Spannvorrichtung, oder fahren Sie höher frei, bevor das Werkzeug an ihr vorbeifährt.</translation>
+        <translation>Versetzen Sie das Spannmittel, oder fahren Sie höher frei, bevor das Werkzeug an ihm vorbeifährt.</translation>
     </message>
     <message>
         <source>Fixture too near</source>
-        <translation>Spannvorrichtung zu nah</translation>
+        <translation>Spannmittel zu nah</translation>
     </message>
     <message>
         <source>The tool passes nearer than {2} mm to the fixture &quot;{3}&quot;, by {1} mm.</source>
-        <translation>Das Werkzeug fährt näher als {2} mm an der Spannvorrichtung „{3}“ vorbei, um {1} mm zu nah.</translation>
+        <translation>Das Werkzeug fährt näher als {2} mm an dem Spannmittel „{3}“ vorbei, um {1} mm zu nah.</translation>
     </message>
     <message>
         <source>Move the fixture, retract higher, or allow less clearance.</source>
-        <translation>Versetzen Sie die Spannvorrichtung, fahren Sie höher frei, oder erlauben Sie weniger Abstand.</translation>
+        <translation>Versetzen Sie das Spannmittel, fahren Sie höher frei, oder erlauben Sie weniger Abstand.</translation>
     </message>
     <message>
         <source>Rapid close to stock</source>
