@@ -4995,6 +4995,18 @@ Vorgabe: 0 mm</translation>
         <translation>Bestätigen Sie das Werkzeug in der Werkzeugtabelle, oder wählen Sie eine andere Form.</translation>
     </message>
     <message>
+        <source>Spindle never turns</source>
+        <translation>Spindel dreht nie</translation>
+    </message>
+    <message>
+        <source>The cutter cuts {} mm deep, but the program never turns the spindle at a speed.</source>
+        <translation>Der Fräser fräst {} mm tief, aber das Programm lässt die Spindel nie mit einer Drehzahl laufen.</translation>
+    </message>
+    <message>
+        <source>Program M3 with a speed S, or make sure that the spindle turns.</source>
+        <translation>Programmieren Sie M3 mit einer Drehzahl S, oder stellen Sie sicher, dass die Spindel dreht.</translation>
+    </message>
+    <message>
         <source>Fixture collision</source>
         <translation>Kollision mit Spannmittel</translation>
     </message>

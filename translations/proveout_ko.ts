@@ -4995,6 +4995,18 @@ Default: 0 mm</source>
         <translation>공구 테이블에서 공구를 확인하거나 다른 형상을 선택하십시오.</translation>
     </message>
     <message>
+        <source>Spindle never turns</source>
+        <translation>주축이 회전하지 않음</translation>
+    </message>
+    <message>
+        <source>The cutter cuts {} mm deep, but the program never turns the spindle at a speed.</source>
+        <translation>커터가 {} mm 깊이로 절삭하지만, 프로그램은 주축을 어떤 속도로도 회전시키지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Program M3 with a speed S, or make sure that the spindle turns.</source>
+        <translation>속도 S와 함께 M3를 프로그램하거나 주축이 회전하는지 확인하십시오.</translation>
+    </message>
+    <message>
         <source>Fixture collision</source>
         <translation>고정구 충돌</translation>
     </message>

@@ -17,6 +17,13 @@ inline constexpr FindingRow kSpindleStopped{
     PROVEOUT_TEXT("Core", "Spindle stopped"),
     PROVEOUT_TEXT("Core", "The cutter cuts {} mm deep while the spindle is stopped."),
     PROVEOUT_TEXT("Core", "Program M3 with a speed S before the cut.")};
+inline constexpr FindingRow kSpindleNeverTurns{
+    Severity::warning,
+    true,
+    "spindle-never-turns",
+    PROVEOUT_TEXT("Core", "Spindle never turns"),
+    PROVEOUT_TEXT("Core", "The cutter cuts {} mm deep, but the program never turns the spindle at a speed."),
+    PROVEOUT_TEXT("Core", "Program M3 with a speed S, or make sure that the spindle turns.")};
 inline constexpr FindingRow kSpindleReversed{
     Severity::fault,
     false,
@@ -231,12 +238,16 @@ inline constexpr FindingRow kCommentShape{
     PROVEOUT_TEXT("Core", "The comment describes T{} as “{}”; the tool table has “{}”."),
     kCommentDiameter.hint};
 
-inline constexpr std::array kRuleRows{
-    &kSpindleStopped,   &kSpindleReversed, &kFeedLimit,      &kDrillSideways,    &kDrillSidewaysUnconfirmed,
-    &kNothingCut,       &kHardlyCuts,      &kUnitsTooLarge,  &kUnitsTooSmall,    &kTableCollision,
-    &kFixtureCollision, &kFixtureNear,     &kLoosePiece,     &kAirCutting,       &kRapidTooClose,
-    &kDepthLimit,       &kEngagementLimit, &kEngagementJump, &kFullSlot,         &kChipLimit,
-    &kSurfaceSpeed,     &kRemovalRate,     &kToolFeedLimit,  &kToolSpindleLimit, &kSpindleLimit,
-    &kRampTooSteep,     &kTapFeed,         &kTapNotReversed, &kCommentDiameter,  &kCommentShape};
+inline constexpr std::array kRuleRows{&kSpindleStopped,   &kSpindleNeverTurns, &kSpindleReversed,
+                                      &kFeedLimit,        &kDrillSideways,     &kDrillSidewaysUnconfirmed,
+                                      &kNothingCut,       &kHardlyCuts,        &kUnitsTooLarge,
+                                      &kUnitsTooSmall,    &kTableCollision,    &kFixtureCollision,
+                                      &kFixtureNear,      &kLoosePiece,        &kAirCutting,
+                                      &kRapidTooClose,    &kDepthLimit,        &kEngagementLimit,
+                                      &kEngagementJump,   &kFullSlot,          &kChipLimit,
+                                      &kSurfaceSpeed,     &kRemovalRate,       &kToolFeedLimit,
+                                      &kToolSpindleLimit, &kSpindleLimit,      &kRampTooSteep,
+                                      &kTapFeed,          &kTapNotReversed,    &kCommentDiameter,
+                                      &kCommentShape};
 
 } // namespace proveout::rule_finding

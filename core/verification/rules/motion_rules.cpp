@@ -42,11 +42,29 @@ bool cutsAlongAxisOnly(const Cutter* cutter) {
     return shape != nullptr && std::ranges::find(kShapes, std::string_view(shape->key)) != kShapes.end();
 }
 
+/// Whether the spindle turns on any motion of the program.
+bool everTurnsSpindle(const Program& program) {
+    for (std::size_t index = 0; index < program.motionCount(); ++index)
+        if (program.motion(index).spindleRpm != 0)
+            return true;
+    return false;
+}
+
+bool isSpindleStopped(const Motion& motion) {
+    return motion.spindleRpm == 0;
+}
+
 } // namespace
 
 void judgeStoppedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
-    addCutting(run, rule_finding::kSpindleStopped, out,
-               [](const Motion& motion) { return motion.spindleRpm == 0; });
+    if (everTurnsSpindle(run.program))
+        addCutting(run, rule_finding::kSpindleStopped, out, isSpindleStopped);
+}
+
+/// Without any M3 and S, or with M3 and no S, the operator may have started the spindle by hand.
+void judgeUnusedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
+    if (!everTurnsSpindle(run.program))
+        addCutting(run, rule_finding::kSpindleNeverTurns, out, isSpindleStopped);
 }
 
 void judgeReversedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {

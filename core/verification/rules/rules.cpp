@@ -14,6 +14,7 @@ namespace {
 using namespace rule_finding;
 
 constexpr std::array<const FindingRow*, 1> kOfStoppedSpindle{&kSpindleStopped};
+constexpr std::array<const FindingRow*, 1> kOfUnusedSpindle{&kSpindleNeverTurns};
 constexpr std::array<const FindingRow*, 1> kOfReversedSpindle{&kSpindleReversed};
 constexpr std::array<const FindingRow*, 1> kOfFeed{&kFeedLimit};
 constexpr std::array<const FindingRow*, 2> kOfDrill{&kDrillSideways, &kDrillSidewaysUnconfirmed};
@@ -41,6 +42,7 @@ constexpr std::array<const FindingRow*, 1> kOfTapOut{&kTapNotReversed};
 
 constexpr std::array kRules{
     Rule{kOfStoppedSpindle, "mm", judgeStoppedSpindle},
+    Rule{kOfUnusedSpindle, "mm", judgeUnusedSpindle},
     Rule{kOfReversedSpindle, "mm", judgeReversedSpindle},
     Rule{kOfFeed, "mm/min", judgeFeedLimit},
     Rule{kOfDrill, "mm", judgeSidewaysDrill},

@@ -141,6 +141,7 @@ struct Rule {
 // The functions of the rows, by subject.
 
 void judgeStoppedSpindle(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeUnusedSpindle(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeReversedSpindle(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeFeedLimit(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeSidewaysDrill(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);

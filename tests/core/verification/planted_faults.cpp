@@ -119,6 +119,16 @@ void plantStoppedSpindle(Planting& p) {
     plantSpindle(p, "M5");
 }
 
+/// Routers of hobbyists are often switched on by hand, and their programs give no speed.
+void plantUnusedSpindle(Planting& p) {
+    p.program.dropSpindle();
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.line("G1 Z[-3] F[200]");
+    p.program.line("X[120]");
+    p.value = 3;
+}
+
 void plantReversedSpindle(Planting& p) {
     plantSpindle(p, "M4");
 }
@@ -559,6 +569,7 @@ constexpr std::array kKinds{
     PlantedKind{"rapid plunge", "rapid-cuts", plantRapidPlunge},
     PlantedKind{"rapid of a cycle", "rapid-cuts", plantRapidOfCycle},
     PlantedKind{"spindle stopped", "spindle-stopped", plantStoppedSpindle},
+    PlantedKind{"spindle never turned on", "spindle-never-turns", plantUnusedSpindle, true},
     PlantedKind{"spindle reversed", "spindle-reversed", plantReversedSpindle},
     PlantedKind{"feed of the machine", "feed-limit", plantFeed},
     PlantedKind{"drill moves sideways", "plunge-not-allowed", plantSidewaysDrill},

@@ -2,6 +2,7 @@
 #include "tests/core/verification/twin_program.h"
 
 #include <fmt/format.h>
+#include <regex>
 
 namespace proveout {
 
@@ -25,6 +26,10 @@ void TwinProgram::faulty(const std::string& words) {
 
 void TwinProgram::clean(const std::string& words) {
     m_clean += written(words) + '\n';
+}
+
+void TwinProgram::dropSpindle() {
+    m_faulty = std::regex_replace(m_faulty, std::regex("S[0-9]+ M3"), "(NO SPINDLE)");
 }
 
 int TwinProgram::among(int least, int most) {

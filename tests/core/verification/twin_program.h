@@ -32,6 +32,8 @@ public:
     /// The next line is the one with the fault.
     void mark() { m_markedLine = m_lines + 1; }
 
+    /// Takes all S words and M3 of the faulty text away.
+    void dropSpindle();
     /// Marks a line that many lines before the marked one.
     void markBefore(int lines) { m_markedLine -= lines; }
 
