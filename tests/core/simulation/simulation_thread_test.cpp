@@ -461,16 +461,27 @@ TEST(SimulationThread, ACancelOfPlaybackPauses) {
 }
 
 TEST(SimulationThread, ACancelOfALoadHoldsForWhatFollowsFromIt) {
-    Listening listening;
-    auto& thread = listening.thread();
-    thread.post(LoadCommand{programOf(randomProgram(32, 20'000)), smallSetup(0.05), {}, 1});
-    thread.post(SeekCommand{20'000});
-    std::this_thread::sleep_for(1ms); // most likely during the load
-    thread.cancel();
-    const auto frame = listening.waitFor([](const Frame&) { return true; });
-    ASSERT_NE(frame, nullptr);
-    std::this_thread::sleep_for(300ms);
-    EXPECT_LT(listening.waitFor([](const Frame&) { return true; })->block, 20'000U);
+    // The load and the seek take tens of milliseconds. A busy machine may let this thread wait for longer than
+    // that before it can cancel, so a late cancel is tried again.
+    constexpr auto kSurelyLoading = 4ms;
+    const auto program = programOf(randomProgram(32, 20'000));
+    for (int attempt = 0; attempt < 20; ++attempt) {
+        Listening listening;
+        auto& thread = listening.thread();
+        const auto asked = Clock::now();
+        thread.post(LoadCommand{program, smallSetup(0.05), {}, 1});
+        thread.post(SeekCommand{20'000});
+        std::this_thread::sleep_for(1ms); // most likely during the load
+        thread.cancel();
+        if (Clock::now() - asked > kSurelyLoading)
+            continue;
+        const auto frame = listening.waitFor([](const Frame&) { return true; });
+        ASSERT_NE(frame, nullptr);
+        std::this_thread::sleep_for(300ms);
+        EXPECT_LT(listening.waitFor([](const Frame&) { return true; })->block, 20'000U);
+        return;
+    }
+    GTEST_SKIP() << "this machine is too busy to cancel during a load";
 }
 
 /// Random commands from another thread for some seconds; afterwards the state must match the last ones.

@@ -207,12 +207,12 @@ void ViewportTest::keysChooseViewsAndSwitches() {
 }
 
 void ViewportTest::repaintsOnNewFramesOnly() {
-    QTRY_VERIFY_WITH_TIMEOUT(m_view->atRest(), kPatience);
+    // The refined surface is the last new frame while nothing happens.
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->simulation().frame()->level == ErrorLevel::surface, kPatience);
     int painted = 0;
     connect(m_view, &QOpenGLWidget::aboutToCompose, this, [&] { ++painted; });
-    // Pending repaints are done some milliseconds later; here the antialiased image, which was requested just
-    // now.
-    for (int before = -1; std::exchange(before, painted) != painted;)
+    // Pending repaints are done some milliseconds later; then the antialiased image follows.
+    for (int before = -1; std::exchange(before, painted) != painted || !m_view->atRest();)
         QTest::qWait(kQuiet);
     painted = 0;
     QSignalSpy ticks(&m_session->playback(), &PlaybackHub::tick);
