@@ -8043,10 +8043,6 @@ Vorgabe: 0 mm</translation>
         <translation>F verringern oder die Maschinenwerte berichtigen.</translation>
     </message>
     <message>
-        <source>Motion not allowed for tool</source>
-        <translation>Bewegung für das Werkzeug unzulässig</translation>
-    </message>
-    <message>
         <source>The tool moves sideways in material, {} mm deep, but only cuts along its axis.</source>
         <translation>Das Werkzeug bewegt sich seitwärts im Material, {} mm tief, schneidet aber nur in Achsrichtung.</translation>
     </message>
@@ -8125,6 +8121,214 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Size and position of the stock, which is fitted to the toolpath</source>
         <translation>Größe und Lage des Rohteils, das an die Werkzeugbahn angepasst ist</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must not be empty.</source>
+        <translation>Das Feld &quot;{}&quot; darf nicht leer sein.</translation>
+    </message>
+    <message>
+        <source>Least removal</source>
+        <translation>Mindestabtrag</translation>
+    </message>
+    <message>
+        <source>A program that removes less of the stock counts as not cutting.</source>
+        <translation>Ein Programm, das weniger vom Rohteil abträgt, gilt als ohne Schnitt.</translation>
+    </message>
+    <message>
+        <source>Room below stock</source>
+        <translation>Raum unter dem Rohteil</translation>
+    </message>
+    <message>
+        <source>How far below the bottom of the stock a cutter may go.</source>
+        <translation>Wie weit ein Fräser unter die Unterseite des Rohteils gehen darf.</translation>
+    </message>
+    <message>
+        <source>Longer stretches of feeding in air are reported.</source>
+        <translation>Längere Strecken mit Vorschub in der Luft werden gemeldet.</translation>
+    </message>
+    <message>
+        <source>Smallest loose piece</source>
+        <translation>Kleinstes loses Stück</translation>
+    </message>
+    <message>
+        <source>Smaller pieces that come loose count as chips.</source>
+        <translation>Kleinere Stücke, die sich lösen, gelten als Späne.</translation>
+    </message>
+    <message>
+        <source>Clearance of fixtures</source>
+        <translation>Abstand zu Spannmitteln</translation>
+    </message>
+    <message>
+        <source>A tool that comes nearer to a fixture is reported, across and upwards.</source>
+        <translation>Ein Werkzeug, das einem Spannmittel näher kommt, wird gemeldet, seitlich und nach oben.</translation>
+    </message>
+    <message>
+        <source>Feed of taps</source>
+        <translation>Vorschub von Gewindebohrern</translation>
+    </message>
+    <message>
+        <source>How far the feed of a tap may be from its pitch.</source>
+        <translation>Wie weit der Vorschub eines Gewindebohrers von seiner Steigung abweichen darf.</translation>
+    </message>
+    <message>
+        <source>Clearance of rapids</source>
+        <translation>Abstand von Eilgängen</translation>
+    </message>
+    <message>
+        <source>Rapids that pass less than this above the stock are reported; 0: none.</source>
+        <translation>Eilgänge, die näher über dem Rohteil verlaufen, werden gemeldet; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Travel X from</source>
+        <translation>Verfahrweg X von</translation>
+    </message>
+    <message>
+        <source>Least machine coordinate of X; the same as the greatest: unknown, not checked.</source>
+        <translation>Kleinste Maschinenkoordinate von X; gleich der größten: unbekannt, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Travel X to</source>
+        <translation>Verfahrweg X bis</translation>
+    </message>
+    <message>
+        <source>Greatest machine coordinate of X.</source>
+        <translation>Größte Maschinenkoordinate von X.</translation>
+    </message>
+    <message>
+        <source>Travel Y from</source>
+        <translation>Verfahrweg Y von</translation>
+    </message>
+    <message>
+        <source>Least machine coordinate of Y; the same as the greatest: unknown, not checked.</source>
+        <translation>Kleinste Maschinenkoordinate von Y; gleich der größten: unbekannt, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Travel Y to</source>
+        <translation>Verfahrweg Y bis</translation>
+    </message>
+    <message>
+        <source>Greatest machine coordinate of Y.</source>
+        <translation>Größte Maschinenkoordinate von Y.</translation>
+    </message>
+    <message>
+        <source>Travel Z from</source>
+        <translation>Verfahrweg Z von</translation>
+    </message>
+    <message>
+        <source>Least machine coordinate of Z; the same as the greatest: unknown, not checked.</source>
+        <translation>Kleinste Maschinenkoordinate von Z; gleich der größten: unbekannt, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Travel Z to</source>
+        <translation>Verfahrweg Z bis</translation>
+    </message>
+    <message>
+        <source>Greatest machine coordinate of Z.</source>
+        <translation>Größte Maschinenkoordinate von Z.</translation>
+    </message>
+    <message>
+        <source>Part zero X</source>
+        <translation>Nullpunkt X</translation>
+    </message>
+    <message>
+        <source>Machine coordinate X of X0 in the program, as in G54 of the control; all three 0: unknown.</source>
+        <translation>Maschinenkoordinate X von X0 im Programm, wie in G54 der Steuerung; alle drei 0: unbekannt.</translation>
+    </message>
+    <message>
+        <source>Part zero Y</source>
+        <translation>Nullpunkt Y</translation>
+    </message>
+    <message>
+        <source>Machine coordinate Y of Y0 in the program, as in G54 of the control.</source>
+        <translation>Maschinenkoordinate Y von Y0 im Programm, wie in G54 der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Part zero Z</source>
+        <translation>Nullpunkt Z</translation>
+    </message>
+    <message>
+        <source>Machine coordinate Z with the face of the spindle at Z0 of the program.</source>
+        <translation>Maschinenkoordinate Z, wenn die Spindelnase auf Z0 des Programms steht.</translation>
+    </message>
+    <message>
+        <source>Router 600 × 400 × 100</source>
+        <translation>Portalfräse 600 × 400 × 100</translation>
+    </message>
+    <message>
+        <source>Knee mill 760 × 400 × 125</source>
+        <translation>Konsolfräsmaschine 760 × 400 × 125</translation>
+    </message>
+    <message>
+        <source>Machining centre 500 × 400 × 500</source>
+        <translation>Bearbeitungszentrum 500 × 400 × 500</translation>
+    </message>
+    <message>
+        <source>Machining centre 760 × 400 × 500</source>
+        <translation>Bearbeitungszentrum 760 × 400 × 500</translation>
+    </message>
+    <message>
+        <source>Machining centre 1270 × 660 × 635</source>
+        <translation>Bearbeitungszentrum 1270 × 660 × 635</translation>
+    </message>
+    <message>
+        <source>Unknown machine profile</source>
+        <translation>Unbekanntes Maschinenprofil</translation>
+    </message>
+    <message>
+        <source>There is no machine profile &quot;{}&quot;; there are {}.</source>
+        <translation>Es gibt kein Maschinenprofil &quot;{}&quot;; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>Begin with a profile, or write values only, as in rapidXY=20000.</source>
+        <translation>Beginnen Sie mit einem Profil oder schreiben Sie nur Werte, wie in rapidXY=20000.</translation>
+    </message>
+    <message>
+        <source>Waiver without its finding</source>
+        <translation>Freigabe ohne ihren Befund</translation>
+    </message>
+    <message>
+        <source>The waiver of {} by {} ({}) has no effect: that finding is gone or has changed.</source>
+        <translation>Die Freigabe von {} durch {} ({}) ist wirkungslos: Der Befund ist verschwunden oder hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Remove the waiver, or look at the finding and waive it again.</source>
+        <translation>Entfernen Sie die Freigabe, oder sehen Sie den Befund noch einmal an und geben Sie ihn neu frei.</translation>
+    </message>
+    <message>
+        <source>Waived</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>This does not count in the verdict: waived by {} ({}).</source>
+        <translation>Das zählt nicht für das Urteil: freigegeben durch {} ({}).</translation>
+    </message>
+    <message>
+        <source>Unknown rule in the job</source>
+        <translation>Unbekannte Regel im Auftrag</translation>
+    </message>
+    <message>
+        <source>The job names “{}”, but nothing that is checked has this id.</source>
+        <translation>Der Auftrag nennt „{}“, doch nichts, was geprüft wird, hat diese Kennung.</translation>
+    </message>
+    <message>
+        <source>Correct the id; “proveout-cli rules” lists all of them.</source>
+        <translation>Berichtigen Sie die Kennung; „proveout-cli rules“ führt alle auf.</translation>
+    </message>
+    <message>
+        <source>Beyond the travel</source>
+        <translation>Über den Verfahrweg hinaus</translation>
+    </message>
+    <message>
+        <source>{3} moves {1} mm beyond its travel limit, {2} mm in machine coordinates.</source>
+        <translation>{3} fährt {1} mm über seine Verfahrgrenze hinaus, {2} mm in Maschinenkoordinaten.</translation>
+    </message>
+    <message>
+        <source>Place the part elsewhere, turn it, or shorten the motion.</source>
+        <translation>Spannen Sie das Teil anderswo oder gedreht auf, oder kürzen Sie die Bewegung.</translation>
+    </message>
+    <message>
+        <source>Travel of Z with tools without a holder</source>
+        <translation>Verfahrweg von Z mit Werkzeugen ohne Halter</translation>
     </message>
 </context>
 <context>
@@ -8826,6 +9030,18 @@ Vorgabe: 0 mm</translation>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
+    <message>
+        <source>Limits of rules</source>
+        <translation>Grenzen der Regeln</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Regeln</translation>
+    </message>
+    <message>
+        <source>Waiver</source>
+        <translation>Freigabe</translation>
+    </message>
 </context>
 <context>
     <name>Layouts</name>
@@ -8855,6 +9071,14 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>Laufzeit %1: Vorschub %2, Eilgang %3, Verweilen %4, Werkzeugwechsel %5</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>Typical machines by kind and size, to begin with</source>
+        <translation>Typische Maschinen nach Art und Größe, für den Anfang</translation>
     </message>
 </context>
 <context>
@@ -9214,6 +9438,14 @@ Vorgabe: 0 mm</translation>
         <source>Go to the line of the previous problem</source>
         <translation>Zur Zeile des vorherigen Problems gehen</translation>
     </message>
+    <message>
+        <source>&amp;Rules…</source>
+        <translation>&amp;Regeln …</translation>
+    </message>
+    <message>
+        <source>Choose the rules of the check, and their limits</source>
+        <translation>Die Regeln der Prüfung und ihre Grenzen wählen</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsModel</name>
@@ -9272,6 +9504,14 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Count</source>
         <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Waived by %1: %2</source>
+        <translation>Freigegeben durch %1: %2</translation>
+    </message>
+    <message>
+        <source>Waived</source>
+        <translation>Freigegeben</translation>
     </message>
 </context>
 <context>
@@ -9343,6 +9583,22 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>since the last check: %1 new, %2 gone</source>
         <translation>seit der letzten Prüfung: %1 neu, %2 behoben</translation>
+    </message>
+    <message>
+        <source>Withdraw the Waiver</source>
+        <translation>Freigabe zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Waive…</source>
+        <translation>Freigeben …</translation>
+    </message>
+    <message>
+        <source>Turn This Rule Off in the Job</source>
+        <translation>Diese Regel im Auftrag ausschalten</translation>
+    </message>
+    <message>
+        <source>Turn It Off for T%1</source>
+        <translation>Für T%1 ausschalten</translation>
     </message>
 </context>
 <context>
@@ -9436,6 +9692,17 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Delete the backup; the file is not changed</source>
         <translation>Die Sicherung löschen; die Datei wird nicht geändert</translation>
+    </message>
+</context>
+<context>
+    <name>RulesDialog</name>
+    <message>
+        <source>Rules of the Check</source>
+        <translation>Regeln der Prüfung</translation>
+    </message>
+    <message>
+        <source>The job file keeps these settings. Limits of single tools are in the tool table, those of the machine in its values.</source>
+        <translation>Die Auftragsdatei behält diese Einstellungen. Grenzen einzelner Werkzeuge stehen in der Werkzeugtabelle, die der Maschine in ihren Werten.</translation>
     </message>
 </context>
 <context>
@@ -10461,6 +10728,10 @@ Vorgabe: die nächste freie Nummer</translation>
         <source>Line %1: %2</source>
         <translation>Zeile %1: %2</translation>
     </message>
+    <message>
+        <source>Waived: %1.</source>
+        <translation>Freigegeben: %1.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictBadge</name>
@@ -10725,6 +10996,29 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>Show the toolpath inside and behind the stock, dimmed</source>
         <translation>Den Werkzeugweg im Rohteil und dahinter abgeschwächt zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>WaiveDialog</name>
+    <message>
+        <source>Waive a Finding</source>
+        <translation>Einen Befund freigeben</translation>
+    </message>
+    <message>
+        <source>It no longer counts in the verdict. If its block, size or tool changes, it counts again. The job file keeps the waiver.</source>
+        <translation>Er zählt nicht mehr für das Urteil. Ändern sich Satz, Größe oder Werkzeug, zählt er wieder. Die Auftragsdatei behält die Freigabe.</translation>
+    </message>
+    <message>
+        <source>&amp;Waive</source>
+        <translation>&amp;Freigeben</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>&amp;Grund</translation>
+    </message>
+    <message>
+        <source>&amp;Person</source>
+        <translation>&amp;Person</translation>
     </message>
 </context>
 <context>

@@ -8043,10 +8043,6 @@ Default: 0 mm</source>
         <translation>F를 줄이거나 기계 값을 수정하십시오.</translation>
     </message>
     <message>
-        <source>Motion not allowed for tool</source>
-        <translation>공구에 허용되지 않는 이동</translation>
-    </message>
-    <message>
         <source>The tool moves sideways in material, {} mm deep, but only cuts along its axis.</source>
         <translation>공구가 소재 속 {} mm 깊이에서 옆으로 이동하지만, 이 공구는 축 방향으로만 절삭합니다.</translation>
     </message>
@@ -8125,6 +8121,214 @@ Default: 0 mm</source>
     <message>
         <source>Size and position of the stock, which is fitted to the toolpath</source>
         <translation>공구 경로에 맞춘 소재의 크기와 위치</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must not be empty.</source>
+        <translation>필드 &quot;{}&quot;은(는) 비어 있으면 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>Least removal</source>
+        <translation>최소 제거량</translation>
+    </message>
+    <message>
+        <source>A program that removes less of the stock counts as not cutting.</source>
+        <translation>소재를 이보다 적게 제거하는 프로그램은 절삭하지 않는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Room below stock</source>
+        <translation>소재 아래 여유</translation>
+    </message>
+    <message>
+        <source>How far below the bottom of the stock a cutter may go.</source>
+        <translation>커터가 소재 바닥 아래로 내려가도 되는 거리.</translation>
+    </message>
+    <message>
+        <source>Longer stretches of feeding in air are reported.</source>
+        <translation>이보다 긴 공중 이송을 보고합니다.</translation>
+    </message>
+    <message>
+        <source>Smallest loose piece</source>
+        <translation>가장 작은 분리 조각</translation>
+    </message>
+    <message>
+        <source>Smaller pieces that come loose count as chips.</source>
+        <translation>이보다 작은 조각이 떨어지면 칩으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Clearance of fixtures</source>
+        <translation>고정구 간격</translation>
+    </message>
+    <message>
+        <source>A tool that comes nearer to a fixture is reported, across and upwards.</source>
+        <translation>고정구에 이보다 가까이 오는 공구를 보고합니다(옆과 위 방향).</translation>
+    </message>
+    <message>
+        <source>Feed of taps</source>
+        <translation>탭 이송</translation>
+    </message>
+    <message>
+        <source>How far the feed of a tap may be from its pitch.</source>
+        <translation>탭의 이송이 피치에서 벗어나도 되는 정도.</translation>
+    </message>
+    <message>
+        <source>Clearance of rapids</source>
+        <translation>급속 이송 간격</translation>
+    </message>
+    <message>
+        <source>Rapids that pass less than this above the stock are reported; 0: none.</source>
+        <translation>소재 위로 이보다 가까이 지나는 급속 이송을 보고합니다. 0: 보고하지 않음.</translation>
+    </message>
+    <message>
+        <source>Travel X from</source>
+        <translation>이동 범위 X 시작</translation>
+    </message>
+    <message>
+        <source>Least machine coordinate of X; the same as the greatest: unknown, not checked.</source>
+        <translation>X의 가장 작은 기계 좌표. 가장 큰 값과 같으면 알 수 없음(검사하지 않음).</translation>
+    </message>
+    <message>
+        <source>Travel X to</source>
+        <translation>이동 범위 X 끝</translation>
+    </message>
+    <message>
+        <source>Greatest machine coordinate of X.</source>
+        <translation>X의 가장 큰 기계 좌표.</translation>
+    </message>
+    <message>
+        <source>Travel Y from</source>
+        <translation>이동 범위 Y 시작</translation>
+    </message>
+    <message>
+        <source>Least machine coordinate of Y; the same as the greatest: unknown, not checked.</source>
+        <translation>Y의 가장 작은 기계 좌표. 가장 큰 값과 같으면 알 수 없음(검사하지 않음).</translation>
+    </message>
+    <message>
+        <source>Travel Y to</source>
+        <translation>이동 범위 Y 끝</translation>
+    </message>
+    <message>
+        <source>Greatest machine coordinate of Y.</source>
+        <translation>Y의 가장 큰 기계 좌표.</translation>
+    </message>
+    <message>
+        <source>Travel Z from</source>
+        <translation>이동 범위 Z 시작</translation>
+    </message>
+    <message>
+        <source>Least machine coordinate of Z; the same as the greatest: unknown, not checked.</source>
+        <translation>Z의 가장 작은 기계 좌표. 가장 큰 값과 같으면 알 수 없음(검사하지 않음).</translation>
+    </message>
+    <message>
+        <source>Travel Z to</source>
+        <translation>이동 범위 Z 끝</translation>
+    </message>
+    <message>
+        <source>Greatest machine coordinate of Z.</source>
+        <translation>Z의 가장 큰 기계 좌표.</translation>
+    </message>
+    <message>
+        <source>Part zero X</source>
+        <translation>공작물 원점 X</translation>
+    </message>
+    <message>
+        <source>Machine coordinate X of X0 in the program, as in G54 of the control; all three 0: unknown.</source>
+        <translation>프로그램 X0의 기계 좌표 X(컨트롤러의 G54 값). 셋 다 0이면 알 수 없음.</translation>
+    </message>
+    <message>
+        <source>Part zero Y</source>
+        <translation>공작물 원점 Y</translation>
+    </message>
+    <message>
+        <source>Machine coordinate Y of Y0 in the program, as in G54 of the control.</source>
+        <translation>프로그램 Y0의 기계 좌표 Y(컨트롤러의 G54 값).</translation>
+    </message>
+    <message>
+        <source>Part zero Z</source>
+        <translation>공작물 원점 Z</translation>
+    </message>
+    <message>
+        <source>Machine coordinate Z with the face of the spindle at Z0 of the program.</source>
+        <translation>주축 끝면이 프로그램 Z0에 있을 때의 기계 좌표 Z.</translation>
+    </message>
+    <message>
+        <source>Router 600 × 400 × 100</source>
+        <translation>라우터 600 × 400 × 100</translation>
+    </message>
+    <message>
+        <source>Knee mill 760 × 400 × 125</source>
+        <translation>니형 밀링 머신 760 × 400 × 125</translation>
+    </message>
+    <message>
+        <source>Machining centre 500 × 400 × 500</source>
+        <translation>머시닝 센터 500 × 400 × 500</translation>
+    </message>
+    <message>
+        <source>Machining centre 760 × 400 × 500</source>
+        <translation>머시닝 센터 760 × 400 × 500</translation>
+    </message>
+    <message>
+        <source>Machining centre 1270 × 660 × 635</source>
+        <translation>머시닝 센터 1270 × 660 × 635</translation>
+    </message>
+    <message>
+        <source>Unknown machine profile</source>
+        <translation>알 수 없는 기계 프로파일</translation>
+    </message>
+    <message>
+        <source>There is no machine profile &quot;{}&quot;; there are {}.</source>
+        <translation>기계 프로파일 &quot;{}&quot;이(가) 없습니다. 있는 것: {}.</translation>
+    </message>
+    <message>
+        <source>Begin with a profile, or write values only, as in rapidXY=20000.</source>
+        <translation>프로파일로 시작하거나 rapidXY=20000처럼 값만 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Waiver without its finding</source>
+        <translation>항목이 없는 예외</translation>
+    </message>
+    <message>
+        <source>The waiver of {} by {} ({}) has no effect: that finding is gone or has changed.</source>
+        <translation>{} 항목에 대한 {}의 예외({})는 효력이 없습니다. 항목이 사라졌거나 바뀌었습니다.</translation>
+    </message>
+    <message>
+        <source>Remove the waiver, or look at the finding and waive it again.</source>
+        <translation>예외를 없애거나, 항목을 다시 확인하고 새로 예외 처리하십시오.</translation>
+    </message>
+    <message>
+        <source>Waived</source>
+        <translation>예외 처리됨</translation>
+    </message>
+    <message>
+        <source>This does not count in the verdict: waived by {} ({}).</source>
+        <translation>판정에 포함되지 않습니다: {}이(가) 예외 처리함({}).</translation>
+    </message>
+    <message>
+        <source>Unknown rule in the job</source>
+        <translation>작업의 알 수 없는 규칙</translation>
+    </message>
+    <message>
+        <source>The job names “{}”, but nothing that is checked has this id.</source>
+        <translation>작업이 “{}”을(를) 지정하지만, 이 ID를 가진 검사 항목이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Correct the id; “proveout-cli rules” lists all of them.</source>
+        <translation>ID를 고치십시오. “proveout-cli rules”가 모든 ID를 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>Beyond the travel</source>
+        <translation>이동 범위 초과</translation>
+    </message>
+    <message>
+        <source>{3} moves {1} mm beyond its travel limit, {2} mm in machine coordinates.</source>
+        <translation>{3}이(가) 이동 한계(기계 좌표 {2} mm)를 {1} mm 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Place the part elsewhere, turn it, or shorten the motion.</source>
+        <translation>공작물을 다른 곳에 놓거나 돌리거나, 이동을 줄이십시오.</translation>
+    </message>
+    <message>
+        <source>Travel of Z with tools without a holder</source>
+        <translation>홀더가 없는 공구의 Z 이동 범위</translation>
     </message>
 </context>
 <context>
@@ -8825,6 +9029,18 @@ Default: 0 mm</source>
         <source>Machine</source>
         <translation>기계</translation>
     </message>
+    <message>
+        <source>Limits of rules</source>
+        <translation>규칙의 한계값</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>규칙</translation>
+    </message>
+    <message>
+        <source>Waiver</source>
+        <translation>예외</translation>
+    </message>
 </context>
 <context>
     <name>Layouts</name>
@@ -8854,6 +9070,14 @@ Default: 0 mm</source>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>가공 시간 %1: 절삭 %2, 급속 %3, 드웰 %4, 공구 교환 %5</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>프로파일</translation>
+    </message>
+    <message>
+        <source>Typical machines by kind and size, to begin with</source>
+        <translation>종류와 크기별 대표 기계(시작값)</translation>
     </message>
 </context>
 <context>
@@ -9213,6 +9437,14 @@ Default: 0 mm</source>
         <source>Go to the line of the previous problem</source>
         <translation>이전 문제가 있는 줄로 이동합니다</translation>
     </message>
+    <message>
+        <source>&amp;Rules…</source>
+        <translation>규칙(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Choose the rules of the check, and their limits</source>
+        <translation>검사 규칙과 한계값을 고릅니다</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsModel</name>
@@ -9271,6 +9503,14 @@ Default: 0 mm</source>
     <message>
         <source>Count</source>
         <translation>횟수</translation>
+    </message>
+    <message>
+        <source>Waived by %1: %2</source>
+        <translation>%1이(가) 예외 처리함: %2</translation>
+    </message>
+    <message>
+        <source>Waived</source>
+        <translation>예외 처리됨</translation>
     </message>
 </context>
 <context>
@@ -9342,6 +9582,22 @@ Default: 0 mm</source>
     <message>
         <source>since the last check: %1 new, %2 gone</source>
         <translation>지난 검사 이후: 새로 %1, 해결 %2</translation>
+    </message>
+    <message>
+        <source>Withdraw the Waiver</source>
+        <translation>예외 취소</translation>
+    </message>
+    <message>
+        <source>Waive…</source>
+        <translation>예외 처리…</translation>
+    </message>
+    <message>
+        <source>Turn This Rule Off in the Job</source>
+        <translation>이 작업에서 이 규칙 끄기</translation>
+    </message>
+    <message>
+        <source>Turn It Off for T%1</source>
+        <translation>T%1에서만 끄기</translation>
     </message>
 </context>
 <context>
@@ -9435,6 +9691,17 @@ Default: 0 mm</source>
     <message>
         <source>Delete the backup; the file is not changed</source>
         <translation>백업을 삭제합니다. 파일은 변경되지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>RulesDialog</name>
+    <message>
+        <source>Rules of the Check</source>
+        <translation>검사 규칙</translation>
+    </message>
+    <message>
+        <source>The job file keeps these settings. Limits of single tools are in the tool table, those of the machine in its values.</source>
+        <translation>이 설정은 작업 파일에 저장됩니다. 공구별 한계값은 공구 표에, 기계의 한계값은 기계 값에 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -10460,6 +10727,10 @@ Default: the next free number</source>
         <source>Line %1: %2</source>
         <translation>%1줄: %2</translation>
     </message>
+    <message>
+        <source>Waived: %1.</source>
+        <translation>예외 처리됨: %1.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictBadge</name>
@@ -10724,6 +10995,29 @@ Default: the next free number</source>
     <message>
         <source>Show the toolpath inside and behind the stock, dimmed</source>
         <translation>소재 안과 뒤의 공구 경로를 흐리게 표시합니다</translation>
+    </message>
+</context>
+<context>
+    <name>WaiveDialog</name>
+    <message>
+        <source>Waive a Finding</source>
+        <translation>항목 예외 처리</translation>
+    </message>
+    <message>
+        <source>It no longer counts in the verdict. If its block, size or tool changes, it counts again. The job file keeps the waiver.</source>
+        <translation>더 이상 판정에 포함되지 않습니다. 블록, 크기 또는 공구가 바뀌면 다시 포함됩니다. 예외는 작업 파일에 저장됩니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Waive</source>
+        <translation>예외 처리(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>사유(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Person</source>
+        <translation>담당자(&amp;P)</translation>
     </message>
 </context>
 <context>

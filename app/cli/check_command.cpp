@@ -15,12 +15,12 @@
 #include "app/cli/check_program.h"
 #include "app/cli/check_reports.h"
 #include "app/cli/check_results.h"
-#include "app/cli/check_settings.h"
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
 #include "app/cli/report.h"
 #include "app/cli/thread_limit.h"
 #include "core/base/atomic_file.h"
+#include "core/verification/findings/check_findings.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/exit_effect.h"
 
@@ -30,7 +30,6 @@ namespace {
 
 struct CheckCommand {
     CheckOptions check;
-    CheckSettings settings;
     ThreadLimit threads;
     std::vector<std::string> inputs;
     std::string sarif;
@@ -44,6 +43,16 @@ ExitCode worseOf(ExitCode one, ExitCode other) {
     return static_cast<ExitCode>(worse(static_cast<ExitEffect>(one), static_cast<ExitEffect>(other)));
 }
 
+void print(const CheckFinding& finding) {
+    fmt::print(stderr, "{}\n", oneLine(finding.diagnostic));
+    if (!finding.waived)
+        return;
+    Diagnostic waived = diagnosticOf(check_finding::kWaived, {finding.waived->owner, finding.waived->reason});
+    waived.file = finding.diagnostic.file;
+    waived.where = finding.diagnostic.where;
+    fmt::print(stderr, "{}\n", oneLine(waived));
+}
+
 class CheckRun {
 public:
     explicit CheckRun(CheckCommand& command) : m_command(command), m_report("proveout-cli") {}
@@ -51,16 +60,18 @@ public:
     ExitCode run() {
         const std::vector<std::filesystem::path> files = filesToCheck(m_command.inputs);
         std::vector<std::string> names = m_command.inputs;
+        CheckRules anyRules;
         for (const std::filesystem::path& file : files)
             names.push_back(file.string());
-        if (!fine(m_command.settings.read(m_command.check)) ||
+        if (!fine(m_command.check.settings.apply(anyRules)) ||
             !fine(checkOutputs(names, {{m_command.sarif}, {m_command.junit}, {m_command.resume}})))
             return m_report.exitCode();
         if (files.empty()) {
             m_report.addFatal({diagnosticOf(command_line_finding::kNothingToCheck)});
             return m_report.exitCode();
         }
-        if (!m_command.resume.empty() && !fine(m_results.open(m_command.resume, m_command.settings.text())))
+        if (!m_command.resume.empty() &&
+            !fine(m_results.open(m_command.resume, m_command.check.settings.text())))
             return m_report.exitCode();
         checkAll(files);
         if (!m_command.sarif.empty())
@@ -110,11 +121,11 @@ private:
         const CheckedProgram result = checkProgram(file, m_command.check);
         nlohmann::ordered_json checked = toJson(result);
         checked["input"] = file.string();
-        checked["settings"] = m_command.settings.text();
+        checked["settings"] = m_command.check.settings.text();
         const std::scoped_lock lock(m_mutex);
         m_results.add(checked);
         for (const CheckFinding& finding : result.report.findings)
-            fmt::print(stderr, "{}\n", oneLine(finding.diagnostic));
+            cli::print(finding);
         note(checked);
     }
 
@@ -164,7 +175,7 @@ void addCheckCommand(CLI::App& app, ExitCode& exitCode) {
         ->required()
         ->type_name("");
     options->check.setup.addSharedTo(*command);
-    options->settings.addTo(*command);
+    options->check.settings.addTo(*command);
     options->threads.addTo(*command);
     command->add_flag("--json", options->json,
                       "Print one JSON object per program and line, as they are done");
@@ -184,7 +195,7 @@ void addCheckCommand(CLI::App& app, ExitCode& exitCode) {
         ->type_name("F.jsonl");
     command->callback([options, command, &exitCode] {
         options->threads.apply();
-        options->settings.note(*command);
+        options->check.settings.note(*command);
         exitCode = CheckRun(*options).run();
     });
 }

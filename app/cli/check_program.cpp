@@ -12,10 +12,9 @@
 #include "core/base/stop_watch.h"
 #include "core/simulation/run/interpretation.h"
 #include "core/simulation/setup/tool_proposals.h"
+#include "core/verification/check/check.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/findings.h"
-#include "core/verification/findings/rule_findings.h"
-#include "core/verification/rules/tool_comments.h"
 
 namespace proveout::cli {
 
@@ -32,6 +31,8 @@ public:
         if (!job)
             return refuse(std::move(job.error()));
         m_job = std::move(*job);
+        if (auto fits = m_options.settings.apply(m_job.check); !fits)
+            return refuse(std::move(fits.error()));
         m_checked.program = m_job.program;
         if (auto read = interpret(); !read)
             return refuse(m_job.warnings, read.error());
@@ -47,8 +48,9 @@ public:
                                    .setup = std::make_shared<const Setup>(m_job.setup),
                                    .machine = m_job.machine,
                                    .hasStock = hasStock,
-                                   .warnings = m_job.warnings},
-                                  m_options.rules, memoryLimitBytes());
+                                   .warnings = m_job.warnings,
+                                   .proposals = m_proposals},
+                                  m_job.check, memoryLimitBytes());
         if (!report)
             return refuseRead(report.error());
         m_checked.report = **report;
@@ -85,11 +87,8 @@ private:
         const auto text = NcText::load(m_job.program);
         if (!text)
             return tl::unexpected(text.error());
-        const ToolProposals proposals = proposeTools(*text);
-        addProposals(m_job.setup.tools, proposals);
-        if (!m_options.rules.off.contains(rule_finding::kCommentShape.id))
-            for (Diagnostic& differing : differingComments(proposals, m_job.setup.tools))
-                m_job.warnings.push_back(std::move(differing));
+        m_proposals = proposeTools(*text);
+        addProposals(m_job.setup.tools, m_proposals);
         m_program = interpretOn(m_job.setup, *text, interpretOptions(m_job.setup, m_job.program));
         if (m_program->foreignKind() != nullptr)
             return tl::unexpected(m_program->diagnostics());
@@ -99,6 +98,7 @@ private:
     CheckedProgram& m_checked;
     const CheckOptions& m_options;
     Job m_job;
+    ToolProposals m_proposals;
     std::shared_ptr<const Program> m_program;
 };
 
@@ -121,8 +121,12 @@ nlohmann::ordered_json toJson(const CheckFinding& finding) {
         out.update({{"value", finding.value}, {"limit", finding.limit}, {"unit", finding.unit}});
     if (finding.place)
         out.update({{"x", finding.place->x}, {"y", finding.place->y}, {"z", finding.place->z}});
+    if (!diagnostic.arguments.empty())
+        out["values"] = valuesOf(diagnostic);
     if (*diagnostic.hint != '\0')
         out["hint"] = hintText(diagnostic);
+    if (finding.waived)
+        out["waived"] = {{"reason", finding.waived->reason}, {"owner", finding.waived->owner}};
     return out;
 }
 
@@ -173,9 +177,12 @@ nlohmann::ordered_json toJson(const CheckedProgram& checked) {
     for (const CheckFinding& finding : checked.report.findings)
         findings.push_back(toJson(finding));
     auto notChecked = nlohmann::ordered_json::array();
-    for (const NotChecked& entry : checked.report.notChecked)
+    for (const NotChecked& entry : checked.report.notChecked) {
         notChecked.push_back(
             {{"id", entry.row->id}, {"title", entry.row->title}, {"accepted", entry.accepted}});
+        if (!entry.reason.empty())
+            notChecked.back()["reason"] = entry.reason;
+    }
     auto firstContacts = nlohmann::ordered_json::array();
     for (const auto& [of, line] : checked.report.firstContacts)
         firstContacts.push_back({{"tool", of.tool},

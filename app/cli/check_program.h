@@ -5,16 +5,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/check_settings.h"
 #include "app/cli/command.h"
 #include "app/cli/setup_options.h"
-#include "core/verification/check/check.h"
+#include "core/verification/check/check_report.h"
 
 namespace proveout::cli {
 
 /// What is judged, and by which limits. Read by several threads at once.
 struct CheckOptions {
     SetupOptions setup;
-    CheckRules rules;
+    CheckSettings settings;
 };
 
 struct CheckedProgram {

@@ -90,6 +90,11 @@ void SarifReport::add(const ordered_json& checked) {
                             {"locations", ordered_json::array({{{"physicalLocation", std::move(place)}}})}};
         if (finding.value("count", 1) > 1)
             result["occurrenceCount"] = finding["count"];
+        if (const auto waived = finding.find("waived"); waived != finding.end())
+            result["suppressions"] =
+                ordered_json::array({{{"kind", "external"},
+                                      {"justification", fmt::format("{}: {}", textOf(*waived, "owner"),
+                                                                    textOf(*waived, "reason"))}}});
         m_results.push_back(std::move(result));
     }
 }
@@ -113,7 +118,8 @@ void JunitReport::add(const ordered_json& checked) {
     m_seconds += seconds;
     std::string sentences;
     for (const ordered_json& finding : checked["findings"])
-        sentences += lineOf(finding);
+        if (!finding.contains("waived"))
+            sentences += lineOf(finding);
     for (const ordered_json& entry : checked["notChecked"])
         if (!entry.value("accepted", false))
             sentences += fmt::format("not checked: {} [{}]\n", textOf(entry, "title"), textOf(entry, "id"));

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/cli/option_error.h"
+#include "core/base/field.h"
+#include "core/base/tool_number.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/findings.h"
 #include "core/verification/verdict/not_checked.h"
@@ -48,8 +50,8 @@ Result<void> setLimit(const std::string& key, const std::string& text, RuleLimit
     return fits ? Result<void>() : failure(kRuleValueBad, {text, key});
 }
 
-/// `ID=off` or `ID:key=value`
-Result<void> setRule(const std::string& item, CheckOptions& options) {
+/// `ID=off`, `ID:T3=off` or `ID:key=value`
+Result<void> setRule(const std::string& item, CheckRules& rules) {
     const std::size_t equals = item.find('=');
     const std::size_t colon = item.find(':');
     const std::string id = item.substr(0, std::min(equals, colon));
@@ -58,11 +60,13 @@ Result<void> setRule(const std::string& item, CheckOptions& options) {
     if (findFinding(id) == nullptr)
         return failure(kRuleUnknown, {id});
     const std::string value = item.substr(equals + 1);
-    if (colon < equals)
-        return setLimit(item.substr(colon + 1, equals - colon - 1), value, options.rules.limits);
+    const std::string key = colon < equals ? item.substr(colon + 1, equals - colon - 1) : std::string();
+    const auto tool = key.starts_with('T') ? parseToolNumber(key.substr(1)) : std::nullopt;
+    if (!key.empty() && !tool)
+        return setLimit(key, value, rules.limits);
     if (value != "off")
         return failure(kRuleForm, {item});
-    options.rules.off.insert(id);
+    rules.off.insert({tool ? ruleForTool(id, *tool) : id, {}});
     return {};
 }
 
@@ -71,22 +75,22 @@ Result<void> setRule(const std::string& item, CheckOptions& options) {
 void CheckSettings::addTo(CLI::App& command) {
     command
         .add_option("--rules", m_rules,
-                    "Rules that are off, and limits: air-cutting=off,table-collision:belowStock=5; ids: "
-                    "proveout-cli rules")
-        ->type_name("ID=off|ID:key=value,…");
+                    "Rules that are off, for all tools or one, and limits: "
+                    "air-cutting=off,full-slot:T3=off,table-collision:belowStock=5; ids: proveout-cli rules")
+        ->type_name("ID=off|ID:T…=off|ID:key=value,…");
     command.add_option("--accept", m_accepted, "What need not be checked, by the ids under \"not checked\"")
         ->type_name("ID,…");
 }
 
-Result<void> CheckSettings::read(CheckOptions& options) const {
+Result<void> CheckSettings::apply(CheckRules& rules) const {
     for (const std::string& item : itemsOf(m_rules))
-        if (auto set = setRule(item, options); !set)
+        if (auto set = setRule(item, rules); !set)
             return aboutOption("--rules", std::move(set.error()));
     for (const std::string& id : itemsOf(m_accepted)) {
         const auto isIt = [&](const NotCheckedRow& row) { return id == row.id; };
         if (std::ranges::none_of(notCheckedRows(), isIt))
             return aboutOption("--accept", failure(kAcceptUnknown, {id}).value());
-        options.rules.accepted.insert(id);
+        rules.accepted.insert({id, {}});
     }
     return {};
 }

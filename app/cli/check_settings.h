@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/check_program.h"
 #include "core/base/diagnostic.h"
+#include "core/simulation/setup/check_rules.h"
 
 namespace proveout::cli {
 
@@ -15,9 +15,9 @@ class CheckSettings {
 public:
     /// This object must outlive the parsing.
     void addTo(CLI::App& command);
-    /// Sets limits, rules that are off, and what is accepted. Errors: an unknown id or key, a value out of
-    /// range.
-    [[nodiscard]] Result<void> read(CheckOptions& options) const;
+    /// Sets limits, rules that are off, and what is accepted, in addition to those of a job. Errors: an
+    /// unknown id or key, a value out of range; independent of `rules`.
+    [[nodiscard]] Result<void> apply(CheckRules& rules) const;
     /// Notes all options of a parsed command on which its results depend.
     void note(const CLI::App& command);
     /// These options as text: two checks with the same text judge alike.

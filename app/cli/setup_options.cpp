@@ -12,6 +12,7 @@
 #include "core/formats/stock_shapes.h"
 #include "core/nc/codes/dialects.h"
 #include "core/simulation/setup/automatic_grid.h"
+#include "core/simulation/setup/machine_profiles.h"
 #include "core/simulation/setup/setup_fields.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/zmap/zmap_findings.h"
@@ -135,8 +136,9 @@ void SetupOptions::addSharedTo(CLI::App& command) {
     describeControl(nothing, OptionAdder{command, m_given});
     command
         .add_option("--machine", m_machine,
-                    "Machine values, e.g. rapidXY=20000,largestFeed=10000: " + keysWithUnits<Machine>())
-        ->type_name("key=value,…");
+                    "Machine values, e.g. vmc-760,largestFeed=10000; profiles: " + machineProfileKeys() +
+                        "; keys: " + keysWithUnits<Machine>())
+        ->type_name("PROFILE,key=value,…");
 }
 
 Result<Job> SetupOptions::readJobFile() const {

@@ -214,6 +214,74 @@ void readMachine(JsonFields& job, std::optional<Machine>& machine) {
     fields.warnAboutUnknown();
 }
 
+constexpr JsonRange kCoordinates{-1e6, 1e6};
+constexpr JsonRange kToolNumbers{0, kLargestTool};
+
+Waiver readWaiver(JsonFields fields) {
+    Waiver waiver;
+    fields.require({"finding", "reason", "owner"});
+    fields.read("finding", waiver.finding);
+    fields.read("tool", waiver.tool, kToolNumbers);
+    int count = 1;
+    fields.read("count", count, {1, std::numeric_limits<int>::max()});
+    waiver.count = static_cast<std::size_t>(count);
+    fields.read("values", waiver.values);
+    if (fields.has("place"))
+        fields.read("place", waiver.place.emplace(0), kCoordinates);
+    for (const auto& [key, text] : {std::pair("reason", &waiver.reason), std::pair("owner", &waiver.owner)}) {
+        fields.read(key, *text);
+        if (fields.has(key) && text->empty()) // nobody would answer for it
+            fields.fail(key, job_finding::kJobFieldEmpty, {});
+    }
+    fields.warnAboutUnknown();
+    return waiver;
+}
+
+void readReasons(JsonFields fields, IdsWithReasons& ids) {
+    fields.eachString([&ids](const std::string& id, const std::string& reason) { ids[id] = reason; });
+}
+
+constexpr const char* kCheck = "check";
+
+void readCheck(JsonFields& job, CheckRules& check) {
+    if (!job.has(kCheck))
+        return;
+    JsonFields fields = job.object(kCheck);
+    JsonFields limits = fields.object("limits");
+    describe(check.limits, FieldReader{limits});
+    limits.warnAboutUnknown();
+    readReasons(fields.object("off"), check.off);
+    readReasons(fields.object("accepted"), check.accepted);
+    JsonFields waivers = fields.object("waivers");
+    for (const std::string& key : waivers.keys())
+        check.waivers.push_back(readWaiver(waivers.object(key.c_str())));
+    fields.warnAboutUnknown();
+}
+
+ordered_json toJson(const Waiver& waiver) {
+    ordered_json out{{"finding", waiver.finding}, {"tool", waiver.tool}, {"count", waiver.count}};
+    if (!waiver.values.empty())
+        out["values"] = waiver.values;
+    if (waiver.place)
+        out["place"] = {waiver.place->x, waiver.place->y, waiver.place->z};
+    out["reason"] = waiver.reason;
+    out["owner"] = waiver.owner;
+    return out;
+}
+
+ordered_json toJson(const CheckRules& check) {
+    ordered_json out = ordered_json::object();
+    if (check.limits != RuleLimits())
+        describe(check.limits, FieldWriter{out["limits"]});
+    for (const auto& [id, reason] : check.off)
+        out["off"][id] = reason;
+    for (const auto& [id, reason] : check.accepted)
+        out["accepted"][id] = reason;
+    for (std::size_t k = 0; k < check.waivers.size(); ++k) // as many digits, so that their order stays
+        out["waivers"][fmt::format("{:04}", k + 1)] = toJson(check.waivers[k]);
+    return out;
+}
+
 void readParameters(JsonFields fields, Job& job) {
     describe(job.parameters, FieldReader{fields});
     job.regionNamed = fields.has("region");
@@ -276,6 +344,7 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     readFixtures(fields, job.setup.fixtures);
     describeControl(job.setup, FieldReader{fields});
     readMachine(fields, job.machine);
+    readCheck(fields, job.check);
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
     const bool usable = complaints.errors.empty();
@@ -303,6 +372,8 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     describeControl(setup, FieldWriter{out});
     if (job.machine)
         describe(*job.machine, FieldWriter{out["machine"]});
+    if (job.check != CheckRules())
+        out[kCheck] = toJson(job.check);
     describe(job.parameters, FieldWriter{out["decimation"]});
     return out;
 }

@@ -101,6 +101,12 @@ inline constexpr FindingRow kJobFieldText{Severity::error,
                                           PROVEOUT_TEXT("Core", "Invalid job field"),
                                           PROVEOUT_TEXT("Core", "The field \"{}\" must be a text."),
                                           ""};
+inline constexpr FindingRow kJobFieldEmpty{Severity::error,
+                                           false,
+                                           "job-field",
+                                           PROVEOUT_TEXT("Core", "Invalid job field"),
+                                           PROVEOUT_TEXT("Core", "The field \"{}\" must not be empty."),
+                                           ""};
 inline constexpr FindingRow kJobFieldWhole{Severity::error,
                                            false,
                                            "job-field",
@@ -187,6 +193,6 @@ inline constexpr std::array kJobRows{
     &kJobFieldText,     &kJobFieldWhole,      &kJobFieldFlag,      &kJobFieldPoint,
     &kJobFieldList,     &kJobFieldChoice,     &kJobFieldObject,    &kJobFieldProgram,
     &kJobFieldPosition, &kJobFieldToolNumber, &kJobFieldToolTwice, &kJobFieldCutter,
-    &kJobFieldFixture};
+    &kJobFieldFixture,  &kJobFieldEmpty};
 
 } // namespace proveout::job_finding

@@ -178,6 +178,13 @@ void JsonFields::read(const char* key, std::size_t& index, std::span<const Choic
     fail(key, job_finding::kJobFieldChoice, {allowed});
 }
 
+std::vector<std::string> JsonFields::keys() const {
+    std::vector<std::string> keys;
+    for (const auto& item : m_object->items())
+        keys.push_back(item.key());
+    return keys;
+}
+
 JsonFields JsonFields::object(const char* key) {
     const json* field = find(key);
     if (field != nullptr && !field->is_object())

@@ -53,6 +53,8 @@ public:
     void read(const char* key, std::set<int>& numbers, int most);
     /// The index of the choice that the field names.
     void read(const char* key, std::size_t& index, std::span<const Choice> choices);
+    /// The names of all fields.
+    [[nodiscard]] std::vector<std::string> keys() const;
     /// The object `key`; an empty one if it is missing or not an object.
     [[nodiscard]] JsonFields object(const char* key);
     /// Calls `visit(key, text)` for every field, each of which must be a string.

@@ -40,6 +40,31 @@ const std::string kHead = "G21 G90 G17\nT1 M6\nS1000 M3\nG0 X5 Y5 Z5\n";
 const std::string kEnd = "G0 Z5\nM5\nM30\n";
 const std::string kSafe = kHead + "G1 Z-2 F100\nX20\n" + kEnd;
 
+TEST_F(CliCheck, AJobKeepsWhatSomebodyAnswersFor) {
+    write("part.nc", kHead + "G1 Z-2 F100\nX10\nG0 X20\n" + kEnd);
+    const auto job = [&](const std::string& check) {
+        return write("part.proveout", R"({"proveout": 2, "program": "part.nc", "grid": 0.5,
+            "stock": {"width": 40, "depth": 30, "height": 10}, "tools": {"1": "ball:d=4,l=20"}, "check": )" +
+                                          check + "}");
+    };
+    const std::string accepted = R"("accepted": {"holder-not-given": "short", "shank-not-given": "",
+        "fixtures-not-given": "", "travel-not-given": "", "machine-not-given": "", "tool-limits-not-given": ""})";
+    EXPECT_EQ(run("check " + job("{" + accepted + "}")).exitCode, 1);
+    const std::string waived = job("{" + accepted + R"(, "waivers": {"1": {"finding": "rapid-cuts", "tool": 1,
+        "values": "2.000", "place": [20, 5, -2], "reason": "a hole is there", "owner": "M. Roth"}}})");
+    EXPECT_EQ(run("check part.proveout --json").json()["findings"][0]["values"], "2.000");
+    const Finished done = run("check " + waived + " --sarif out.sarif --json");
+    EXPECT_EQ(done.exitCode, 0) << done.out << done.err;
+    EXPECT_EQ(done.json()["findings"][0]["waived"]["owner"], "M. Roth");
+    EXPECT_EQ(done.json()["notChecked"][0]["reason"], "short");
+    EXPECT_NE(done.err.find("part.nc:7:1: note: "), std::string::npos) << done.err;
+    const nlohmann::json result = nlohmann::json::parse(read("out.sarif"))["runs"][0]["results"][0];
+    EXPECT_EQ(result["suppressions"][0]["justification"], "M. Roth: a hole is there");
+    EXPECT_EQ(run("check " + job("{" + accepted + R"(, "off": {"rapid-cuts:T1": "dry run"}})")).exitCode, 0);
+    EXPECT_EQ(run("check " + job("{" + accepted + R"(, "off": {"rapid-cuts:T2": "dry run"}})")).exitCode, 1);
+    EXPECT_EQ(run("check part.proveout --rules rapid-cuts:T1=off").exitCode, 0) << "options add to the job";
+}
+
 TEST_F(CliCheck, APlantedFaultIsFoundAtItsLineAndItsTwinIsSafe) {
     struct Case {
         const char* id;

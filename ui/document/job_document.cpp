@@ -78,11 +78,12 @@ Result<std::filesystem::path> JobDocument::readSetup(const std::filesystem::path
     if (!job)
         return tl::unexpected(std::move(job.error()));
     m_warnings = std::move(job->warnings);
-    m_wantsStock = false;
-    m_setup = std::make_shared<const Setup>(std::move(job->setup));
-    m_parameters = job->parameters;
-    m_machine = job->machine;
-    m_regionNamed = job->regionNamed;
+    m_values.wantsStock = false;
+    m_values.setup = std::make_shared<const Setup>(std::move(job->setup));
+    m_values.parameters = job->parameters;
+    m_values.machine = job->machine;
+    m_values.check = std::move(job->check);
+    m_values.regionNamed = job->regionNamed;
     jobSaved();
     return std::move(job->program);
 }
@@ -138,21 +139,22 @@ Result<JobDocument> JobDocument::restore(const KeptWork& kept, const WorkContext
 Job JobDocument::job() const {
     const std::filesystem::path program =
         m_text.path.empty() ? std::filesystem::path() : std::filesystem::absolute(m_text.path);
-    return {program, *m_setup, m_parameters, m_machine};
+    return {program, *m_values.setup, m_values.parameters, m_values.machine, m_values.check};
 }
 
 /// Changed parameters alone do not require a job file.
 bool JobDocument::jobModified() const {
-    return m_jobOutdated || !isSameSetup(*m_setup, *m_saved.setup) || m_machine != m_saved.machine ||
-           (!m_jobFile.isEmpty() && !(m_parameters == m_saved.parameters));
+    return m_jobOutdated || !isSameSetup(*m_values.setup, *m_saved.setup) ||
+           m_values.machine != m_saved.machine || m_values.check != m_saved.check ||
+           (!m_jobFile.isEmpty() && !(m_values.parameters == m_saved.parameters));
 }
 
 bool JobDocument::toolsModified() const {
-    return !(m_setup->tools == m_saved.setup->tools);
+    return !(m_values.setup->tools == m_saved.setup->tools);
 }
 
 void JobDocument::jobSaved() {
-    m_saved = {m_setup, m_parameters, m_machine};
+    m_saved = m_values;
     m_jobOutdated = false;
     ++m_revision;
 }
@@ -266,14 +268,15 @@ void JobDocument::replaceText(Document text) {
 }
 
 void JobDocument::replaceJob(const JobDocument& other) {
-    m_setup = other.m_setup;
-    m_parameters = other.m_parameters;
-    m_machine = other.m_machine;
-    m_regionNamed = other.m_regionNamed;
+    m_values.setup = other.m_values.setup;
+    m_values.parameters = other.m_values.parameters;
+    m_values.machine = other.m_values.machine;
+    m_values.check = other.m_values.check;
+    m_values.regionNamed = other.m_values.regionNamed;
     m_warnings = other.m_warnings;
     m_jobOnDisk = other.m_jobOnDisk;
     m_jobState = other.m_jobState;
-    m_wantsStock = false;
+    m_values.wantsStock = false;
     jobSaved();
 }
 
@@ -306,63 +309,72 @@ std::shared_ptr<const Setup> JobDocument::newSetup() {
 }
 
 int JobDocument::defaultRegionHere(DecimationMethod method) const {
-    return defaultRegion(method, gridPoints(m_setup->stock, m_setup->spacing));
+    return defaultRegion(method, gridPoints(m_values.setup->stock, m_values.setup->spacing));
 }
 
 void JobDocument::setSetup(std::shared_ptr<const Setup> setup) {
     ++m_revision;
     replaceSetup(std::move(setup));
-    m_wantsStock = false;
+    m_values.wantsStock = false;
 }
 
 void JobDocument::fitSetup(std::shared_ptr<const Setup> setup, bool forNow) {
-    const std::shared_ptr<const Setup> before = m_setup;
+    const std::shared_ptr<const Setup> before = m_values.setup;
     replaceSetup(std::move(setup));
-    m_wantsStock = m_wantsStock && forNow;
+    m_values.wantsStock = m_values.wantsStock && forNow;
     // Changes by the user stay marked as unsaved.
     const bool saved = isSameSetup(*before, *m_saved.setup);
-    m_saved.setup =
-        saved ? m_setup
-              : std::make_shared<const Setup>(carried(*m_saved.setup, *before, *m_setup, Carry::whereSame));
+    m_saved.setup = saved ? m_values.setup
+                          : std::make_shared<const Setup>(
+                                carried(*m_saved.setup, *before, *m_values.setup, Carry::whereSame));
 }
 
 void JobDocument::replaceSetup(std::shared_ptr<const Setup> setup) {
-    m_setup = std::move(setup);
-    if (!m_regionNamed)
-        m_parameters.regionCells = defaultRegionHere(m_parameters.method);
+    m_values.setup = std::move(setup);
+    if (!m_values.regionNamed)
+        m_values.parameters.regionCells = defaultRegionHere(m_values.parameters.method);
 }
 
 bool JobDocument::stockFitted() const {
-    return m_jobFile.isEmpty() && m_setup->stock == m_saved.setup->stock &&
-           m_setup->shape == m_saved.setup->shape;
+    return m_jobFile.isEmpty() && m_values.setup->stock == m_saved.setup->stock &&
+           m_values.setup->shape == m_saved.setup->shape;
 }
 
 void JobDocument::setParameters(const DecimationParameters& parameters) {
     ++m_revision;
-    if (parameters.regionCells != m_parameters.regionCells || parameters.method != m_parameters.method)
-        m_regionNamed = parameters.regionCells != defaultRegionHere(parameters.method);
-    m_parameters = parameters;
+    if (parameters.regionCells != m_values.parameters.regionCells ||
+        parameters.method != m_values.parameters.method)
+        m_values.regionNamed = parameters.regionCells != defaultRegionHere(parameters.method);
+    m_values.parameters = parameters;
 }
 
 void JobDocument::setMachine(const Machine& machine) {
     ++m_revision;
-    m_machine = machine;
+    m_values.machine = machine;
+}
+
+void JobDocument::setCheck(const CheckRules& check) {
+    ++m_revision;
+    m_values.check = check;
 }
 
 void JobDocument::change(const JobValues& from, const JobValues& to) {
     ++m_revision;
     if (from.setup != to.setup) {
-        m_setup = m_setup == from.setup
-                      ? to.setup
-                      : std::make_shared<const Setup>(carried(*m_setup, *from.setup, *to.setup));
-        m_wantsStock = to.wantsStock;
+        m_values.setup =
+            m_values.setup == from.setup
+                ? to.setup
+                : std::make_shared<const Setup>(carried(*m_values.setup, *from.setup, *to.setup));
+        m_values.wantsStock = to.wantsStock;
     }
     if (from.parameters != to.parameters) {
-        m_parameters = to.parameters;
-        m_regionNamed = to.regionNamed;
+        m_values.parameters = to.parameters;
+        m_values.regionNamed = to.regionNamed;
     }
     if (from.machine != to.machine)
-        m_machine = to.machine;
+        m_values.machine = to.machine;
+    if (from.check != to.check)
+        m_values.check = to.check;
 }
 
 } // namespace proveout

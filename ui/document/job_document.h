@@ -14,6 +14,7 @@
 #include "core/base/work_context.h"
 #include "core/decimation/regions/parameters.h"
 #include "core/formats/job_file.h"
+#include "core/simulation/setup/check_rules.h"
 #include "core/simulation/setup/machine.h"
 #include "core/simulation/setup/setup.h"
 #include "ui/document/disk_copy.h"
@@ -47,10 +48,11 @@ struct KeptWork {
 /// Setup, parameters and machine at one moment. Value type, cheap to copy.
 struct JobValues {
     std::shared_ptr<const Setup> setup; ///< never null
-    DecimationParameters parameters;
-    std::optional<Machine> machine; ///< empty: not defined
-    bool regionNamed = false;       ///< otherwise the region size is the default, which depends on the z-map
-    bool wantsStock = true;         ///< the stock is still to be fitted to the program
+    DecimationParameters parameters = {};
+    std::optional<Machine> machine = {}; ///< empty: not defined
+    CheckRules check = {};
+    bool regionNamed = false; ///< otherwise the region size is the default, which depends on the z-map
+    bool wantsStock = true;   ///< the stock is still to be fitted to the program
 };
 
 /// What File > Open reads and File > Save writes: a program text with its setup and decimation parameters,
@@ -75,15 +77,14 @@ public:
 
     [[nodiscard]] const Document& text() const { return m_text; }
     [[nodiscard]] const QString& jobFile() const { return m_jobFile; } ///< empty if there is none
-    [[nodiscard]] const std::shared_ptr<const Setup>& setup() const { return m_setup; } ///< never null
-    [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
-    [[nodiscard]] const std::optional<Machine>& machine() const { return m_machine; }
-    [[nodiscard]] JobValues values() const {
-        return {m_setup, m_parameters, m_machine, m_regionNamed, m_wantsStock};
-    }
+    [[nodiscard]] const std::shared_ptr<const Setup>& setup() const { return m_values.setup; } ///< never null
+    [[nodiscard]] const DecimationParameters& parameters() const { return m_values.parameters; }
+    [[nodiscard]] const std::optional<Machine>& machine() const { return m_values.machine; }
+    [[nodiscard]] const CheckRules& check() const { return m_values.check; }
+    [[nodiscard]] const JobValues& values() const { return m_values; }
     /// Whether the stock must still be fitted to the program, because neither a job nor the user has defined
     /// it.
-    [[nodiscard]] bool wantsStock() const { return m_wantsStock; }
+    [[nodiscard]] bool wantsStock() const { return m_values.wantsStock; }
     /// Whether the stock is one that was fitted to the program, because neither a job nor the user has
     /// defined it.
     [[nodiscard]] bool stockFitted() const;
@@ -140,6 +141,7 @@ public:
     void fitSetup(std::shared_ptr<const Setup> setup, bool forNow = false);
     void setParameters(const DecimationParameters& parameters);
     void setMachine(const Machine& machine);
+    void setCheck(const CheckRules& check);
     /// Applies the differences between two moments, as undo or redo does. Fields that are equal in both keep
     /// their current values.
     void change(const JobValues& from, const JobValues& to);
@@ -171,16 +173,8 @@ private:
     std::uint64_t m_revision = 0;
     Diagnostics m_warnings;
     bool m_jobOutdated = false; ///< the job file must be written even if setup and parameters are unchanged
-    bool m_wantsStock = true;
-    std::shared_ptr<const Setup> m_setup = newSetup();
-    DecimationParameters m_parameters;
-    std::optional<Machine> m_machine;
-    struct {
-        std::shared_ptr<const Setup> setup;
-        DecimationParameters parameters;
-        std::optional<Machine> machine;
-    } m_saved{m_setup, {}, {}}; ///< the values in the job file, or those created for the program
-    bool m_regionNamed = false; ///< otherwise its size is the default, which depends on the z-map
+    JobValues m_values{.setup = newSetup()};
+    JobValues m_saved = m_values; ///< those in the job file, or created for the program
 };
 
 } // namespace proveout

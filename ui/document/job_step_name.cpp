@@ -27,6 +27,7 @@ constexpr int kSetupFields = 0;
 constexpr int kStockSizes = 100;
 constexpr int kParameterFields = 200;
 constexpr int kMachineFields = 300;
+constexpr int kLimitFields = 400;
 constexpr int kTools = 1000; // plus the tool number
 
 QString translated(const char* text) {
@@ -151,6 +152,15 @@ JobStepName fieldName(Params before, Params after, int firstField, const char* s
     return found.size() == 1 ? found.front() : JobStepName{translated(several)};
 }
 
+JobStepName checkName(const CheckRules& before, const CheckRules& after) {
+    if (before.limits != after.limits)
+        return fieldName(before.limits, after.limits, kLimitFields,
+                         QT_TRANSLATE_NOOP("JobSteps", "Limits of rules"));
+    if (before.off != after.off)
+        return {translated(QT_TRANSLATE_NOOP("JobSteps", "Rules"))};
+    return {translated(QT_TRANSLATE_NOOP("JobSteps", "Waiver"))};
+}
+
 } // namespace
 
 JobStepName jobStepName(const JobValues& before, const JobValues& after) {
@@ -165,13 +175,15 @@ JobStepName jobStepName(const JobValues& before, const JobValues& after) {
         return fieldName(before.parameters, after.parameters, kParameterFields,
                          QT_TRANSLATE_NOOP("JobSteps", "Decimation parameters"));
     }
+    if (before.check != after.check)
+        return checkName(before.check, after.check);
     return fieldName(before.machine.value_or(Machine()), after.machine.value_or(Machine()), kMachineFields,
                      QT_TRANSLATE_NOOP("JobSteps", "Machine"));
 }
 
 bool sameValues(const JobValues& a, const JobValues& b) {
     const bool sameSetup = a.setup == b.setup || *a.setup == *b.setup;
-    return sameSetup && a.parameters == b.parameters && a.machine == b.machine;
+    return sameSetup && a.parameters == b.parameters && a.machine == b.machine && a.check == b.check;
 }
 
 } // namespace proveout

@@ -46,11 +46,16 @@ int ProblemsModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : kColumnCount;
 }
 
+QString ProblemsModel::waiverText(const Waiver& waiver) {
+    return tr("Waived by %1: %2")
+        .arg(QString::fromStdString(waiver.owner), QString::fromStdString(waiver.reason));
+}
+
 QString ProblemsModel::text(const CheckFinding& problem, int column) {
     const Diagnostic& diagnostic = problem.diagnostic;
     switch (column) {
     case kSeverity:
-        return severityName(diagnostic.severity);
+        return problem.waived ? tr("Waived") : severityName(diagnostic.severity);
     case kLine:
         return diagnostic.where.line > 0 ? QString::number(diagnostic.where.line) : QString();
     case kSentence:
@@ -62,7 +67,7 @@ QString ProblemsModel::text(const CheckFinding& problem, int column) {
     case kCount:
         return problem.count > 1 ? QLocale().toString(static_cast<qulonglong>(problem.count)) : QString();
     case kHint:
-        return hint(diagnostic);
+        return problem.waived ? waiverText(*problem.waived) : hint(diagnostic);
     case kId:
         return QLatin1String(diagnostic.id);
     default:
@@ -88,7 +93,7 @@ QString ProblemsModel::text(const NotChecked& entry, int column) {
 QVariant ProblemsModel::sortValue(const CheckFinding& problem, int column) {
     switch (column) {
     case kSeverity:
-        return static_cast<int>(problem.diagnostic.severity);
+        return problem.waived ? -1 : static_cast<int>(problem.diagnostic.severity);
     case kLine:
         return problem.diagnostic.where.line;
     case kTool:
@@ -120,7 +125,8 @@ QString ProblemsModel::wholeText(const CheckFinding& problem) {
                                         QString::fromUtf8(problem.unit))
                              : QString();
     const QString unverified = diagnostic.unverified ? tr("Results after this are unverified.") : QString();
-    for (const QString& part : {sentence(diagnostic), repeated, size, hint(diagnostic), unverified,
+    const QString waived = problem.waived ? waiverText(*problem.waived) : QString();
+    for (const QString& part : {sentence(diagnostic), repeated, size, hint(diagnostic), unverified, waived,
                                 QString(QLatin1String(diagnostic.id))})
         if (!part.isEmpty())
             whole += QStringLiteral("<p>%1</p>").arg(part.toHtmlEscaped());
@@ -149,6 +155,8 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     case Qt::DecorationRole:
         if (column != kSeverity)
             return {};
+        if (shown != nullptr && shown->waived)
+            return m_acceptedIcon;
         if (shown != nullptr)
             return m_icons[static_cast<std::size_t>(shown->diagnostic.severity)];
         return open->accepted ? m_acceptedIcon : m_openIcon;

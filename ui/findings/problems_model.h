@@ -36,6 +36,7 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    [[nodiscard]] static QString waiverText(const Waiver& waiver);
     [[nodiscard]] static QString text(const CheckFinding& problem, int column);
     [[nodiscard]] static QString text(const NotChecked& entry, int column);
     [[nodiscard]] static QVariant sortValue(const CheckFinding& problem, int column);

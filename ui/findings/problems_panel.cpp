@@ -14,13 +14,18 @@
 #include <QMenu>
 #include <QScrollBar>
 #include <QSettings>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
 #include "core/nc/codes/ignored_codes.h"
+#include "core/simulation/run/cutting_findings.h"
+#include "core/verification/findings/rule_findings.h"
 #include "ui/findings/problem_columns.h"
 #include "ui/findings/problems_model.h"
 #include "ui/findings/problems_order.h"
+#include "ui/findings/rules_dialog.h"
+#include "ui/findings/waive_dialog.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/look/elided_label.h"
 #include "ui/readout/problem_list.h"
@@ -41,6 +46,13 @@ std::set<std::string> keptAcceptance() {
     return ids;
 }
 
+/// Whether it can be turned off: what the program text alone shows cannot.
+bool isRule(const std::string& id) {
+    const auto has = [&](const FindingRow* row) { return id == row->id; };
+    return std::ranges::any_of(cutting_finding::kCuttingRows, has) ||
+           std::ranges::any_of(rule_finding::kRuleRows, has);
+}
+
 std::set<int> unknownMCodes(const Diagnostics& problems) {
     std::set<int> codes;
     for (const Diagnostic& problem : problems)
@@ -51,13 +63,16 @@ std::set<int> unknownMCodes(const Diagnostics& problems) {
 
 } // namespace
 
-const std::array<Command<ProblemsPanel>, 2> ProblemsPanel::kCommands{{
+const std::array<Command<ProblemsPanel>, 3> ProblemsPanel::kCommands{{
     {"next-problem", QT_TRANSLATE_NOOP("ProblemCommands", "&Next Problem"),
      QT_TRANSLATE_NOOP("ProblemCommands", "Go to the line of the next problem"), "", "F8", Reach::window,
      [](ProblemsPanel& panel) { panel.goToNeighbour(1); }},
     {"previous-problem", QT_TRANSLATE_NOOP("ProblemCommands", "&Previous Problem"),
      QT_TRANSLATE_NOOP("ProblemCommands", "Go to the line of the previous problem"), "", "Shift+F8",
      Reach::window, [](ProblemsPanel& panel) { panel.goToNeighbour(-1); }},
+    {"check-rules", QT_TRANSLATE_NOOP("ProblemCommands", "&Rules…"),
+     QT_TRANSLATE_NOOP("ProblemCommands", "Choose the rules of the check, and their limits"), "", "",
+     Reach::window, [](ProblemsPanel& panel) { panel.editRules(); }},
 }};
 
 ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
@@ -90,6 +105,10 @@ void ProblemsPanel::build() {
     top->addWidget(m_empty, 1);
     top->addWidget(m_summary, 1);
     top->addWidget(m_filter);
+    auto* rules = new QToolButton(this);
+    rules->setDefaultAction(m_commands.find("check-rules"));
+    rules->setAutoRaise(true);
+    top->addWidget(rules);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -213,6 +232,9 @@ void ProblemsPanel::addProblemActions(QMenu& menu, const CheckFinding& problem) 
     menu.addAction(tr("Copy"), this, [text = sentence(diagnostic) + u' ' + hint(diagnostic)] {
         QGuiApplication::clipboard()->setText(text);
     });
+    const auto& report = m_session.check().report();
+    if (const CheckFinding* finding = report ? findingOf(*report, diagnostic) : nullptr)
+        addJudgementActions(menu, *finding);
     if (const auto code = unknownMCode(diagnostic)) {
         QAction* ignore = menu.addAction(tr("Ignore M%1: It Moves No Axis").arg(*code), this,
                                          [this, code] { ignoreMCodes({*code}); });
@@ -222,6 +244,61 @@ void ProblemsPanel::addProblemActions(QMenu& menu, const CheckFinding& problem) 
         all->setObjectName(QStringLiteral("ignore-all-m-codes"));
         all->setEnabled(unknownMCodes(m_session.problems().all()).size() > 1);
     }
+}
+
+/// For a finding of the check.
+void ProblemsPanel::addJudgementActions(QMenu& menu, const CheckFinding& finding) {
+    menu.addSeparator();
+    if (finding.waived) {
+        QAction* back = menu.addAction(tr("Withdraw the Waiver"), this,
+                                       [this, waiver = *finding.waived] { withdraw(waiver); });
+        back->setObjectName(QStringLiteral("withdraw-waiver"));
+    } else if (finding.diagnostic.severity != Severity::note) {
+        QAction* waiver = menu.addAction(tr("Waive…"), this, [this, finding] { waive(finding); });
+        waiver->setObjectName(QStringLiteral("waive"));
+    }
+    const std::string rule = finding.diagnostic.id;
+    if (!isRule(rule))
+        return;
+    QAction* off = menu.addAction(tr("Turn This Rule Off in the Job"), this, [this, rule] { turnOff(rule); });
+    off->setObjectName(QStringLiteral("turn-off"));
+    if (finding.tool > 0) {
+        QAction* ofTool = menu.addAction(tr("Turn It Off for T%1").arg(finding.tool), this,
+                                         [this, id = ruleForTool(rule, finding.tool)] { turnOff(id); });
+        ofTool->setObjectName(QStringLiteral("turn-off-for-tool"));
+    }
+}
+
+void ProblemsPanel::waive(const CheckFinding& finding) {
+    WaiveDialog dialog(sentence(finding.diagnostic), this);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    // The program may have changed while the dialog was open.
+    const auto& report = m_session.check().report();
+    const CheckFinding* now = report ? findingOf(*report, finding.diagnostic) : nullptr;
+    if (now == nullptr)
+        return;
+    CheckRules rules = m_session.job().check();
+    rules.waivers.push_back(report->waiverOf(*now, dialog.reason(), dialog.owner()));
+    m_session.job().asOneStep([&] { m_session.job().setCheck(rules); });
+}
+
+void ProblemsPanel::withdraw(const Waiver& waiver) {
+    CheckRules rules = m_session.job().check();
+    std::erase(rules.waivers, waiver);
+    m_session.job().asOneStep([&] { m_session.job().setCheck(rules); });
+}
+
+void ProblemsPanel::turnOff(const std::string& rule) {
+    CheckRules rules = m_session.job().check();
+    rules.off.insert({rule, {}});
+    m_session.job().asOneStep([&] { m_session.job().setCheck(rules); });
+}
+
+void ProblemsPanel::editRules() {
+    RulesDialog dialog(m_session.job().check(), this);
+    if (dialog.exec() == QDialog::Accepted)
+        m_session.job().asOneStep([&] { m_session.job().setCheck(dialog.rules()); });
 }
 
 void ProblemsPanel::addAcceptAction(QMenu& menu, const NotChecked& entry) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <set>
+#include <string>
 
 #include <QWidget>
 
@@ -37,7 +38,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    static const std::array<Command<ProblemsPanel>, 2> kCommands;
+    static const std::array<Command<ProblemsPanel>, 3> kCommands;
 
     void build();
     void showProblems();
@@ -48,9 +49,14 @@ private:
     /// The problem of a row of the list; null: it is of something that was not checked.
     [[nodiscard]] const CheckFinding* problemAt(const QModelIndex& index) const;
     void addProblemActions(QMenu& menu, const CheckFinding& problem);
+    void addJudgementActions(QMenu& menu, const CheckFinding& finding);
     void addAcceptAction(QMenu& menu, const NotChecked& entry);
     void accept(const char* id, bool accepted);
     void showMenu(const QPoint& position);
+    void waive(const CheckFinding& finding);
+    void withdraw(const Waiver& waiver);
+    void turnOff(const std::string& rule);
+    void editRules();
     void ignoreMCodes(const std::set<int>& codes);
     void retranslate();
 

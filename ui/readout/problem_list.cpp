@@ -37,7 +37,19 @@ private:
     std::map<std::tuple<std::string, std::string, std::string>, std::size_t> m_index;
 };
 
+/// Of what the program text alone shows, the report has the same findings.
+void markWaived(std::vector<CheckFinding>& problems, const CheckReport& report) {
+    for (CheckFinding& problem : problems)
+        if (const CheckFinding* judged = findingOf(report, problem.diagnostic))
+            problem.waived = judged->waived;
+}
+
 } // namespace
+
+const CheckFinding* findingOf(const CheckReport& report, const Diagnostic& diagnostic) {
+    const auto found = std::ranges::find(report.findings, diagnostic, &CheckFinding::diagnostic);
+    return found == report.findings.end() ? nullptr : &*found;
+}
 
 std::vector<CheckFinding> problemList(const Session& session) {
     const ProblemsHub& problems = session.problems();
@@ -51,6 +63,7 @@ std::vector<CheckFinding> problemList(const Session& session) {
          {ProblemSource::files, ProblemSource::stockFile, ProblemSource::simulation, ProblemSource::program})
         grouped.add(problems.of(source));
     std::vector<CheckFinding> all = grouped.take();
+    markWaived(all, *report);
     all.insert(all.end(), report->findings.begin() + static_cast<std::ptrdiff_t>(report->ofText),
                report->findings.end());
     return all;

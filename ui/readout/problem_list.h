@@ -15,6 +15,9 @@ class Session;
 /// that were played, because it has seen all blocks.
 [[nodiscard]] std::vector<CheckFinding> problemList(const Session& session);
 
+/// The finding of a report with this diagnostic; null if there is none.
+[[nodiscard]] const CheckFinding* findingOf(const CheckReport& report, const Diagnostic& diagnostic);
+
 /// The problems with a line of the open text, for marks at their lines: those of the session, which has one
 /// for each block that was played, and what else the check has found. `block`: 0 if only the line is known.
 [[nodiscard]] std::vector<CheckFinding> problemsInText(const Session& session);

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "core/verification/findings/check_findings.h"
+#include "core/verification/findings/findings.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/session/check_hub.h"
 
@@ -40,9 +41,20 @@ QStringList sentences(const CheckReport& report, bool faults, const QLocale& loc
         const Diagnostic& diagnostic = finding.diagnostic;
         const bool counts = faults ? diagnostic.severity == Severity::fault
                                    : diagnostic.severity == Severity::error || diagnostic.unverified;
-        if (counts && all.size() < kMostReasons)
+        if (counts && !finding.waived && all.size() < kMostReasons)
             all << placedSentence(finding, locale);
     }
+    return all;
+}
+
+/// What somebody answers for, and who.
+QStringList waived(const CheckReport& report) {
+    QStringList all;
+    for (const CheckFinding& finding : report.findings)
+        if (finding.waived)
+            all << QStringLiteral("%1 (%2)").arg(coreText(findingTitle(finding.diagnostic.id)),
+                                                 QString::fromStdString(finding.waived->owner));
+    all.removeDuplicates();
     return all;
 }
 
@@ -60,6 +72,8 @@ QStringList reasonsOf(const CheckReport& report, const QLocale& locale) {
     if (verdict != Verdict::faults && !accepted.isEmpty())
         reasons << say(QT_TRANSLATE_NOOP("Verdict", "Accepted without a check: %1."))
                        .arg(accepted.join(QStringLiteral(", ")));
+    if (const QStringList all = waived(report); !all.isEmpty())
+        reasons << say(QT_TRANSLATE_NOOP("Verdict", "Waived: %1.")).arg(all.join(QStringLiteral(", ")));
     return reasons;
 }
 

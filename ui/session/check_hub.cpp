@@ -20,14 +20,15 @@ namespace {
 
 constexpr int kPauseMs = 400;
 constexpr int kProgressSteps = 100;
+constexpr std::size_t kCheckpointBytes = std::size_t{64} << 20;
 
 using CheckResult = Result<std::shared_ptr<const CheckReport>>;
 
-CheckResult checkOnOneThread(const CheckSubject& subject, const CheckRules& rules, std::uint64_t memoryBytes,
-                             const WorkContext& context) {
+CheckResult checkOnOneThread(Checker& checker, const CheckSubject& subject, const CheckRules& rules,
+                             std::uint64_t memoryBytes, const WorkContext& context) {
     CheckResult result;
     try {
-        onThisThread([&] { result = check(subject, rules, memoryBytes, context); });
+        onThisThread([&] { result = checker.check(subject, rules, memoryBytes, context); });
     } catch (const std::bad_alloc&) {
         result = failure(check_finding::kCheckOutOfMemory);
     } catch (const std::exception& exception) {
@@ -39,7 +40,8 @@ CheckResult checkOnOneThread(const CheckSubject& subject, const CheckRules& rule
 } // namespace
 
 CheckHub::CheckHub(const DocumentHub& document, const ProgramHub& program, const JobHub& job)
-    : m_document(document), m_program(program), m_job(job) {
+    : m_document(document), m_program(program), m_job(job),
+      m_checker(std::make_shared<Checker>(kCheckpointBytes)) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseMs);
     connect(&m_pause, &QTimer::timeout, this, &CheckHub::begin);
@@ -53,6 +55,7 @@ CheckHub::CheckHub(const DocumentHub& document, const ProgramHub& program, const
     });
     connect(&job, &JobHub::setupChanged, this, &CheckHub::restart);
     connect(&job, &JobHub::machineChanged, this, &CheckHub::restart);
+    connect(&job, &JobHub::checkChanged, this, &CheckHub::adoptRules);
 }
 
 std::optional<CheckChange> CheckHub::change() const {
@@ -61,9 +64,31 @@ std::optional<CheckChange> CheckHub::change() const {
 
 void CheckHub::setAccepted(std::set<std::string> accepted) {
     m_accepted = std::move(accepted);
+    answer();
+}
+
+/// Other limits need another check; what somebody answers for does not.
+void CheckHub::adoptRules() {
+    const CheckRules& rules = m_job.check();
+    const bool sameRules = rules.limits == m_rules.limits && rules.off == m_rules.off;
+    if (sameRules)
+        answer();
+    else
+        restart();
+}
+
+void CheckHub::answer() {
     if (m_report)
-        m_report = std::make_shared<const CheckReport>(m_report->accepting(m_accepted));
+        m_report =
+            std::make_shared<const CheckReport>(m_report->answered(allAccepted(), m_job.check().waivers));
     emit changed();
+}
+
+IdsWithReasons CheckHub::allAccepted() const {
+    IdsWithReasons accepted = m_job.check().accepted;
+    for (const std::string& id : m_accepted)
+        accepted.insert({id, {}}); // a reason of the job stays
+    return accepted;
 }
 
 void CheckHub::setMemoryLimit(std::uint64_t bytes) {
@@ -100,29 +125,33 @@ void CheckHub::begin() {
     const CheckSubject subject{.program = m_program.current(),
                                .setup = m_document.job().setup(),
                                .machine = m_job.machine(),
-                               .stockFitted = m_document.job().stockFitted()};
+                               .stockFitted = m_document.job().stockFitted(),
+                               .proposals = m_program.proposals()};
+    m_rules = m_job.check();
     const std::uint64_t memory = m_memoryLimit.value_or(memoryLimitBytes() / 2);
-    m_task.start([this, subject, memory](const NewestTask::Reply& reply) {
-        lowerThreadPriority();
-        const auto report = [this, &reply, last = 0](double done) mutable {
-            const int step = static_cast<int>(done * kProgressSteps);
-            if (std::exchange(last, step) == step)
-                return;
-            reply.post([this, done] {
-                m_progress = done;
-                emit progressed();
-            });
-        };
-        auto result = checkOnOneThread(subject, {}, memory, {reply.stop, report});
-        if (!reply.stop.stop_requested())
-            reply.post([this, result = std::move(result)] { finish(result); });
-    });
+    m_task.start(
+        [this, checker = m_checker, subject, rules = m_rules, memory](const NewestTask::Reply& reply) {
+            lowerThreadPriority();
+            const auto report = [this, &reply, last = 0](double done) mutable {
+                const int step = static_cast<int>(done * kProgressSteps);
+                if (std::exchange(last, step) == step)
+                    return;
+                reply.post([this, done] {
+                    m_progress = done;
+                    emit progressed();
+                });
+            };
+            auto result = checkOnOneThread(*checker, subject, rules, memory, {reply.stop, report});
+            if (!reply.stop.stop_requested())
+                reply.post([this, result = std::move(result)] { finish(result); });
+        });
 }
 
 void CheckHub::finish(const CheckResult& result) {
     m_progress.reset();
     if (result)
-        m_report = std::make_shared<const CheckReport>((*result)->accepting(m_accepted));
+        m_report =
+            std::make_shared<const CheckReport>((*result)->answered(allAccepted(), m_job.check().waivers));
     else
         m_refusal = result.error();
     emit changed();

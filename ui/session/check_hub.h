@@ -16,6 +16,7 @@
 
 namespace proveout {
 
+class Checker;
 class DocumentHub;
 class JobHub;
 class ProgramHub;
@@ -40,7 +41,8 @@ public:
     /// How report() differs from that before the last change of the same text; nothing without both.
     [[nodiscard]] std::optional<CheckChange> change() const;
 
-    /// Ids of what need not be checked (notCheckedRows()); the result follows at once.
+    /// Ids of what need not be checked (notCheckedRows()) in any program, besides those of the job; the
+    /// result follows at once.
     void setAccepted(std::set<std::string> accepted);
     [[nodiscard]] const std::set<std::string>& accepted() const { return m_accepted; }
     /// Bytes that a check may allocate, instead of half of memoryLimitBytes(): the simulation needs the rest.
@@ -56,6 +58,9 @@ signals:
 
 private:
     void restart();
+    void adoptRules();
+    void answer();
+    [[nodiscard]] IdsWithReasons allAccepted() const;
     void begin();
     void finish(const Result<std::shared_ptr<const CheckReport>>& result);
 
@@ -67,9 +72,11 @@ private:
     Diagnostics m_refusal;
     std::optional<double> m_progress;
     std::set<std::string> m_accepted;
+    CheckRules m_rules; ///< of the last or the running check
     std::optional<std::uint64_t> m_memoryLimit;
     bool m_on = true;
-    QTimer m_pause; ///< between the last change and the check
+    QTimer m_pause;                     ///< between the last change and the check
+    std::shared_ptr<Checker> m_checker; ///< used by the tasks, which run one after another
     NewestTask m_task;
 };
 

@@ -60,6 +60,17 @@ void JobHub::setMachine(const Machine& machine) {
     m_history.record(before, m_document.job().values());
 }
 
+void JobHub::setCheck(const CheckRules& check) {
+    if (this->check() == check)
+        return;
+    m_document.stopOpening();
+    const JobValues before = m_document.job().values();
+    m_document.editJob().setCheck(check);
+    emit checkChanged();
+    emit m_document.changed();
+    m_history.record(before, m_document.job().values());
+}
+
 /// Whether the z-map for the setup can be created.
 Result<void> JobHub::checkMap(const Setup& setup) const {
     return checkSetupMemory(setup, parameters(), static_cast<double>(memoryLimitBytes()), true);
@@ -118,6 +129,8 @@ void JobHub::change(const JobValues& from, const JobValues& to) {
         m_program.measure();
         emit machineChanged();
     }
+    if (before.check != check())
+        emit checkChanged();
     emit m_document.changed();
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/regions/parameters.h"
+#include "core/simulation/setup/check_rules.h"
 #include "core/simulation/setup/machine.h"
 #include "core/simulation/setup/setup.h"
 #include "core/simulation/setup/tool_proposals.h"
@@ -32,11 +33,15 @@ public:
     /// As defined by the job or the user; empty: the values of Machine() are assumed.
     [[nodiscard]] const std::optional<Machine>& machine() const { return m_document.job().machine(); }
 
+    /// By what the program is judged.
+    [[nodiscard]] const CheckRules& check() const { return m_document.job().check(); }
+
     /// Returns errors (stock, grid, memory) and then changes nothing. The spacing of an automatic grid is
     /// computed here, whatever `wanted` contains.
     Result<void> setSetup(const Setup& wanted);
     void setParameters(const DecimationParameters& parameters);
     void setMachine(const Machine& machine);
+    void setCheck(const CheckRules& check);
     /// The stock that contains the program's cutting motions (fittedStock()); the current one if there are no
     /// motions.
     [[nodiscard]] StockBox stockFittedToProgram() const;
@@ -70,6 +75,7 @@ signals:
     void setupChanged();
     void parametersChanged();
     void machineChanged();
+    void checkChanged();
     /// Panels must apply the input that they delay while the user is typing.
     void inputWanted();
 

@@ -23,6 +23,7 @@ void Session::documentAdopted() {
     emit m_document.changed();
     emit m_job.setupChanged();
     emit m_job.machineChanged();
+    emit m_job.checkChanged();
     emit m_program.timesChanged();
     emit m_job.parametersChanged();
     emit m_playback.changed();
@@ -37,6 +38,7 @@ void Session::jobReread(const DecimationParameters& before) {
     m_program.interpret();
     m_job.reportSetup(before);
     emit m_job.machineChanged();
+    emit m_job.checkChanged();
     m_program.measure();
 }
 

@@ -4,7 +4,10 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QToolButton>
 
+#include "core/simulation/setup/machine_profiles.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/look/field_text.h"
 #include "ui/look/number_box.h"
@@ -21,7 +24,8 @@ constexpr int kBoxWidth = 124;
 } // namespace
 
 MachineForm::MachineForm(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_times(wrappedLabel(this)) {
+    : QWidget(parent), m_session(session), m_profiles(new QToolButton(this)), m_profileMenu(new QMenu(this)),
+      m_times(wrappedLabel(this)) {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setColumnStretch(1, 1);
@@ -33,14 +37,19 @@ MachineForm::MachineForm(Session& session, QWidget* parent)
         setUpBox(*box, field);
         box->setMinimumWidth(kBoxWidth); // its default would fit the largest number of the range
         label->setBuddy(box);
-        const auto row = static_cast<int>(m_boxes.size());
+        const auto row = static_cast<int>(m_boxes.size()) + 1;
         layout->addWidget(label, row, 0);
         layout->addWidget(box, row, 1);
         connect(box, &QDoubleSpinBox::valueChanged, &m_rest, qOverload<>(&QTimer::start));
         m_labels.push_back(label);
         m_boxes.push_back(box);
     });
-    layout->addWidget(m_times, static_cast<int>(m_boxes.size()), 0, 1, 2);
+    m_profiles->setMenu(m_profileMenu);
+    m_profiles->setPopupMode(QToolButton::InstantPopup);
+    m_profiles->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_profiles->setObjectName(QStringLiteral("machine-profiles"));
+    layout->addWidget(m_profiles, 0, 0, 1, 2, Qt::AlignLeft);
+    layout->addWidget(m_times, static_cast<int>(m_boxes.size()) + 1, 0, 1, 2);
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &MachineForm::apply);
@@ -85,7 +94,23 @@ void MachineForm::apply() {
     m_session.job().setMachine(machine);
 }
 
+/// The part stays where it is.
+void MachineForm::fillProfiles() {
+    m_profiles->setText(tr("Profiles"));
+    m_profiles->setToolTip(tr("Typical machines by kind and size, to begin with"));
+    m_profileMenu->clear();
+    for (const MachineProfile& profile : machineProfiles()) {
+        QAction* action = m_profileMenu->addAction(coreText(profile.label), this, [this, &profile] {
+            m_session.job().asOneStep([&] {
+                m_session.job().setMachine(machineOf(profile, m_session.job().machine().value_or(Machine())));
+            });
+        });
+        action->setObjectName(QLatin1String(profile.key));
+    }
+}
+
 void MachineForm::retranslate() {
+    fillProfiles();
     Machine defaults;
     std::size_t row = 0;
     describe(defaults, [&](double& value, const Field& field) {

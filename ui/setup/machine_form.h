@@ -9,12 +9,14 @@
 #include "ui/session/session.h"
 
 class QLabel;
+class QMenu;
+class QToolButton;
 
 namespace proveout {
 
 class NumberBox;
 
-/// The speeds of the machine, one row per field of describe(), and the machine time of the program.
+/// The machine, one row per field of describe(), profiles to begin with, and the machine time of the program.
 class MachineForm final : public QWidget {
     Q_OBJECT
 
@@ -29,10 +31,13 @@ private:
     void showMachine();
     void showTimes();
     void apply();
+    void fillProfiles();
 
     Session& m_session;
     std::vector<QLabel*> m_labels; ///< same order as the fields
     std::vector<NumberBox*> m_boxes;
+    QToolButton* m_profiles;
+    QMenu* m_profileMenu;
     QLabel* m_times;
     QTimer m_rest;
 };

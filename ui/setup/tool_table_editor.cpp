@@ -22,6 +22,7 @@
 #include "ui/look/panel_layout.h"
 #include "ui/readout/tool_actions.h"
 #include "ui/setup/edited_origin.h"
+#include "ui/setup/tool_drawing.h"
 #include "ui/setup/tool_form.h"
 
 namespace proveout {
@@ -49,7 +50,8 @@ ToolTableEditor::ToolTableEditor(QWidget* parent)
     : QWidget(parent), m_list(new QTreeWidget(this)), m_add(new QPushButton(this)),
       m_remove(new QPushButton(this)), m_confirm(new QPushButton(this)), m_confirmAll(new QPushButton(this)),
       m_numberLabel(new QLabel(this)), m_number(new CountBox(this)), m_details(new QWidget(this)),
-      m_form(new ToolForm(m_details)), m_origin(wrappedLabel(m_details)), m_problem(new QLabel(this)) {
+      m_form(new ToolForm(m_details)), m_drawing(new ToolDrawing(m_details)),
+      m_origin(wrappedLabel(m_details)), m_problem(new QLabel(this)) {
     m_list->setRootIsDecorated(false);
     m_list->setColumnCount(3);
     m_list->header()->setStretchLastSection(false);
@@ -81,6 +83,7 @@ ToolTableEditor::ToolTableEditor(QWidget* parent)
     details->setContentsMargins(0, 0, 0, 0);
     details->addWidget(m_origin);
     details->addLayout(number);
+    details->addWidget(m_drawing);
     details->addWidget(m_form);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -232,6 +235,7 @@ void ToolTableEditor::select() {
     if (cutter == nullptr)
         return;
     m_number->showValue(selectedNumber());
+    m_drawing->show(*cutter);
     m_form->show(readSpec(cutter->spec()));
 }
 
@@ -247,6 +251,7 @@ void ToolTableEditor::applyForm() {
     std::optional<ToolOrigin> unconfirmed;
     if (origin != nullptr)
         unconfirmed = editedOrigin(*origin, readSpec(m_tools.find(number)->spec()), m_form->spec());
+    m_drawing->show(*cutter);
     m_tools.set(number, std::move(*cutter), unconfirmed.value_or(ToolOrigin()));
     showTool(*m_list->currentItem(), number);
     showOrigin();

@@ -15,6 +15,7 @@ class QTreeWidgetItem;
 namespace proveout {
 
 class CountBox;
+class ToolDrawing;
 class ToolForm;
 
 /// The tools by number: a list, and the form of the selected tool.
@@ -65,6 +66,7 @@ private:
     CountBox* m_number;
     QWidget* m_details;
     ToolForm* m_form;
+    ToolDrawing* m_drawing;
     QLabel* m_origin; ///< where unconfirmed sizes come from
     QLabel* m_problem;
 };

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "core/base/diagnostic.h"
 #include "core/base/field.h"
+#include "core/base/geometry.h"
 #include "core/base/text.h"
 
 namespace proveout {
@@ -20,9 +23,34 @@ struct Machine {
     double accelerationZ = 1500;
     double cornerDeviation = 0.02; ///< mm by which a corner may be rounded; 0: stop at each corner
     double toolChangeSeconds = 6;  ///< chip to chip
+    // Travel in machine coordinates, mm; the same limit twice: unknown.
+    double minX = 0;
+    double maxX = 0;
+    double minY = 0;
+    double maxY = 0;
+    double minZ = 0; ///< of the face of the spindle
+    double maxZ = 0;
+    // Machine coordinates of the program's zero, Z with the face of the spindle there; all 0: unknown.
+    double offsetX = 0;
+    double offsetY = 0;
+    double offsetZ = 0;
+
+    /// The travel of an axis, 0 to 2; nothing if it is unknown.
+    [[nodiscard]] std::optional<std::pair<double, double>> travel(int axis) const;
+    /// Where the program's zero is; nothing if it is unknown.
+    [[nodiscard]] std::optional<Vec3> programZero() const;
 
     friend bool operator==(const Machine&, const Machine&) = default;
 };
+
+namespace machine_field {
+
+constexpr Field position(const char* key, const char* label, const char* help) {
+    return {
+        .key = key, .label = label, .unit = "mm", .help = help, .minimum = -1e6, .maximum = 1e6, .step = 10};
+}
+
+} // namespace machine_field
 
 /// Visits every field once; see field.h.
 template<ParametersOf<Machine> Params, class Visitor>
@@ -94,10 +122,45 @@ void describe(Params& machine, Visitor&& visit) {
                                            .minimum = 0,
                                            .maximum = 3600,
                                            .step = 0.5});
+    visit(machine.minX,
+          machine_field::position(
+              "minX", PROVEOUT_TEXT("Core", "Travel X from"),
+              PROVEOUT_TEXT(
+                  "Core", "Least machine coordinate of X; the same as the greatest: unknown, not checked.")));
+    visit(machine.maxX, machine_field::position("maxX", PROVEOUT_TEXT("Core", "Travel X to"),
+                                                PROVEOUT_TEXT("Core", "Greatest machine coordinate of X.")));
+    visit(machine.minY,
+          machine_field::position(
+              "minY", PROVEOUT_TEXT("Core", "Travel Y from"),
+              PROVEOUT_TEXT(
+                  "Core", "Least machine coordinate of Y; the same as the greatest: unknown, not checked.")));
+    visit(machine.maxY, machine_field::position("maxY", PROVEOUT_TEXT("Core", "Travel Y to"),
+                                                PROVEOUT_TEXT("Core", "Greatest machine coordinate of Y.")));
+    visit(machine.minZ,
+          machine_field::position(
+              "minZ", PROVEOUT_TEXT("Core", "Travel Z from"),
+              PROVEOUT_TEXT(
+                  "Core", "Least machine coordinate of Z; the same as the greatest: unknown, not checked.")));
+    visit(machine.maxZ, machine_field::position("maxZ", PROVEOUT_TEXT("Core", "Travel Z to"),
+                                                PROVEOUT_TEXT("Core", "Greatest machine coordinate of Z.")));
+    visit(machine.offsetX,
+          machine_field::position("offsetX", PROVEOUT_TEXT("Core", "Part zero X"),
+                                  PROVEOUT_TEXT("Core", "Machine coordinate X of X0 in the program, as in "
+                                                        "G54 of the control; all three 0: unknown.")));
+    visit(machine.offsetY,
+          machine_field::position(
+              "offsetY", PROVEOUT_TEXT("Core", "Part zero Y"),
+              PROVEOUT_TEXT("Core", "Machine coordinate Y of Y0 in the program, as in G54 of the control.")));
+    visit(machine.offsetZ,
+          machine_field::position(
+              "offsetZ", PROVEOUT_TEXT("Core", "Part zero Z"),
+              PROVEOUT_TEXT("Core",
+                            "Machine coordinate Z with the face of the spindle at Z0 of the program.")));
 }
 
-/// Reads a machine from `key=value,…`, with the keys of describe(); values that are not named stay unchanged.
-/// Errors: an unknown key, not a number, out of range.
+/// Reads a machine from `PROFILE,key=value,…`, with the key of a profile (machine_profiles.h), which may be
+/// missing, and the keys of describe(); values that are not named stay unchanged. Errors: an unknown profile
+/// or key, not a number, out of range.
 [[nodiscard]] Result<Machine> parseMachine(std::string_view text, Machine machine = {});
 
 } // namespace proveout

@@ -22,6 +22,13 @@ inline constexpr FindingRow kMachineKey{Severity::error,
                                         PROVEOUT_TEXT("Core", "Unknown machine key"),
                                         PROVEOUT_TEXT("Core", "A machine has no \"{}\"; it has {}."),
                                         ""};
+inline constexpr FindingRow kMachineProfile{
+    Severity::error,
+    false,
+    "machine-profile",
+    PROVEOUT_TEXT("Core", "Unknown machine profile"),
+    PROVEOUT_TEXT("Core", "There is no machine profile \"{}\"; there are {}."),
+    PROVEOUT_TEXT("Core", "Begin with a profile, or write values only, as in rapidXY=20000.")};
 inline constexpr FindingRow kParameterOutOfRange{
     Severity::error,
     false,
@@ -64,8 +71,8 @@ inline constexpr FindingRow kGridCoarse{
     PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; see details with View, Magnifier, or "
                           "in a smaller stock.")};
 
-inline constexpr std::array kSetupRows{&kMachineValue, &kMachineKey,  &kParameterOutOfRange,
-                                       &kNeverCuts,    &kStockMissed, &kGridCoarseAutomatic,
-                                       &kGridCoarse};
+inline constexpr std::array kSetupRows{&kMachineValue, &kMachineKey,    &kParameterOutOfRange,
+                                       &kNeverCuts,    &kStockMissed,   &kGridCoarseAutomatic,
+                                       &kGridCoarse,   &kMachineProfile};
 
 } // namespace proveout::setup_finding

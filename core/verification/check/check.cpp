@@ -12,14 +12,28 @@
 #include "core/simulation/setup/setup_memory.h"
 #include "core/simulation/time/machine_time.h"
 #include "core/verification/findings/check_findings.h"
+#include "core/verification/findings/findings.h"
+#include "core/verification/findings/rule_findings.h"
+#include "core/verification/rules/rules.h"
+#include "core/verification/rules/tool_comments.h"
+#include "core/verification/verdict/not_checked.h"
 
 namespace proveout {
+
+/// The program on its stock, which the next version may continue from.
+struct CheckedStock {
+    std::shared_ptr<const Setup> setup;
+    std::unique_ptr<Simulation> simulation;
+    std::optional<ZMapSnapshot> begin; ///< the uncut stock, if a rule needs it
+};
 
 namespace {
 
 /// Progress before and after the cutting, which takes nearly all of the time.
 constexpr double kCut = 0.9;
 constexpr double kTimed = 0.95;
+/// What a checker keeps is at most one of so many parts of the memory.
+constexpr double kKeptShare = 4;
 
 DecimationParameters withoutDecimation(const Setup& setup) {
     DecimationParameters parameters;
@@ -32,13 +46,28 @@ DecimationParameters withoutDecimation(const Setup& setup) {
 /// The check of one program.
 class Check {
 public:
-    Check(const CheckSubject& subject, const CheckRules& rules, const WorkContext& context)
-        : m_subject(subject), m_program(*subject.program), m_rules(rules), m_context(context) {}
+    Check(const CheckSubject& subject, const CheckRules& rules, const WorkContext& context,
+          std::size_t checkpointBytes)
+        : m_subject(subject), m_program(*subject.program), m_rules(rules), m_context(context),
+          m_checkpointBytes(checkpointBytes) {}
+
+    /// Continues from the stock of an earlier version, if it is the same stock with the same tools.
+    void continueFrom(std::unique_ptr<CheckedStock> stock) {
+        const bool same = stock && *stock->setup == *m_subject.setup && (stock->begin || !needsBegin());
+        if (same)
+            m_stock = std::move(stock);
+    }
+    /// The stock, whose simulation is at a valid block even if the check was stopped; null without one.
+    [[nodiscard]] std::unique_ptr<CheckedStock> takeStock() { return std::move(m_stock); }
+    [[nodiscard]] std::size_t blocksCut() const { return m_blocksCut; }
 
     Result<std::shared_ptr<const CheckReport>> run() {
         add(m_subject.warnings);
         add(m_program.diagnostics());
         m_report.ofText = m_report.findings.size();
+        addUnknownIds();
+        if (!m_rules.isOff(rule_finding::kCommentShape.id))
+            add(differingComments(m_subject.proposals, m_subject.setup->tools));
         if (m_subject.hasStock) {
             if (auto done = simulate(); !done)
                 return tl::unexpected(std::move(done.error()));
@@ -50,9 +79,11 @@ public:
         m_report.notChecked = notChecked(
             {m_program, *m_subject.setup, m_tools, m_subject.hasStock, machine(), m_subject.stockFitted},
             m_rules.accepted);
-        m_report.programUnverified = m_program.unverified() || m_program.motionCount() == 0;
+        const auto saysSo = [](const CheckFinding& one) { return one.diagnostic.unverified; };
+        const bool unsaid = m_program.unverified() && std::ranges::none_of(m_report.findings, saysSo);
+        m_report.programUnverified = unsaid || m_program.motionCount() == 0;
         m_context.report(1);
-        return std::make_shared<const CheckReport>(std::move(m_report));
+        return std::make_shared<const CheckReport>(m_report.answered(m_rules.accepted, m_rules.waivers));
     }
 
 private:
@@ -66,17 +97,48 @@ private:
         m_report.findings.push_back(std::move(finding));
     }
 
-    Result<void> simulate() {
+    /// A misspelt id must not pass quietly.
+    void addUnknownIds() {
+        const auto isOpen = [](const std::string& id) {
+            return std::ranges::any_of(notCheckedRows(),
+                                       [&](const NotCheckedRow& row) { return id == row.id; });
+        };
+        for (const auto& [id, reason] : m_rules.off)
+            if (findFinding(std::string(ruleOf(id))) == nullptr)
+                add(Diagnostics{diagnosticOf(check_finding::kRuleSettingUnknown, {id})});
+        for (const auto& [id, reason] : m_rules.accepted)
+            if (!isOpen(id))
+                add(Diagnostics{diagnosticOf(check_finding::kRuleSettingUnknown, {id})});
+    }
+
+    /// Keeping the uncut stock keeps the tiles that will be cut: only where a rule needs them.
+    [[nodiscard]] bool needsBegin() const { return m_rules.limits.rapidClearance > 0; }
+
+    Result<void> prepareStock() {
+        if (m_stock) {
+            (void)m_stock->simulation->noteProgram(m_subject.program);
+            return {};
+        }
         auto made = Simulation::create(m_subject.program, m_subject.setup,
                                        withoutDecimation(*m_subject.setup), m_context.quiet());
         if (!made)
             return tl::unexpected(std::move(made.error()));
-        Simulation& simulation = **made;
-        simulation.setCheckpointBudget(0);
-        // Keeps the tiles that will be cut: only where a rule needs them.
-        if (m_rules.limits.rapidClearance > 0)
-            m_begin = simulation.zmap();
+        m_stock = std::make_unique<CheckedStock>();
+        m_stock->setup = m_subject.setup;
+        m_stock->simulation = std::move(*made);
+        m_stock->simulation->setCheckpointBudget(m_checkpointBytes);
+        if (needsBegin())
+            m_stock->begin = m_stock->simulation->zmap();
+        return {};
+    }
+
+    Result<void> simulate() {
+        if (auto prepared = prepareStock(); !prepared)
+            return prepared;
+        Simulation& simulation = *m_stock->simulation;
+        const std::size_t cutBefore = simulation.effort().blocksCut;
         simulation.seek(m_program.blockCount(), m_context.part(0, kCut));
+        m_blocksCut = simulation.effort().blocksCut - cutBefore;
         if (m_context.stopped())
             return {};
         const auto times = machineTimes(m_subject.program, m_subject.machine.value_or(Machine()),
@@ -97,10 +159,10 @@ private:
                              .machine = machine(),
                              .times = times,
                              .rows = simulation.rows(),
-                             .begin = m_begin ? &*m_begin : nullptr,
+                             .begin = m_stock->begin && needsBegin() ? &*m_stock->begin : nullptr,
                              .end = frame.zmap,
                              .removedMm3 = frame.removedMm3};
-        for (const RuleFinding& finding : judge(run, m_rules.limits, m_rules.off, m_context.part(kTimed, 1)))
+        for (const RuleFinding& finding : judge(run, m_rules, m_context.part(kTimed, 1)))
             addOfRule(finding);
         for (const FirstContact& contact : firstContacts(run))
             m_report.firstContacts.push_back({contact, lineOf(contact.block)});
@@ -119,7 +181,7 @@ private:
 
     void addOfBlocks(const FindingLog& log) {
         for (FindingGroup& group : log.groups(m_program, m_tools)) {
-            if (m_rules.off.contains(group.worst.id))
+            if (m_rules.isOff(group.worst.id, group.tool))
                 continue;
             add(CheckFinding{.diagnostic = std::move(group.worst),
                              .block = group.firstBlock + 1,
@@ -157,8 +219,10 @@ private:
     const Program& m_program;
     const CheckRules& m_rules;
     const WorkContext& m_context;
+    std::size_t m_checkpointBytes;
+    std::size_t m_blocksCut = 0;
     ToolChoice m_tools;
-    std::optional<ZMapSnapshot> m_begin;
+    std::unique_ptr<CheckedStock> m_stock;
     CheckReport m_report;
 };
 
@@ -175,8 +239,13 @@ Result<double> checkBytes(const CheckSubject& subject) {
            kOfBlock * static_cast<double>(subject.program->blockCount());
 }
 
-Result<std::shared_ptr<const CheckReport>> check(const CheckSubject& subject, const CheckRules& rules,
-                                                 std::uint64_t memoryBytes, const WorkContext& context) {
+Checker::Checker(std::size_t checkpointBytes) : m_checkpointBytes(checkpointBytes) {}
+Checker::~Checker() = default;
+
+Result<std::shared_ptr<const CheckReport>> Checker::check(const CheckSubject& subject,
+                                                          const CheckRules& rules, std::uint64_t memoryBytes,
+                                                          const WorkContext& context) {
+    std::unique_ptr<CheckedStock> kept = std::move(m_kept); // given up if this check fails
     const auto needed = checkBytes(subject);
     if (!needed)
         return tl::unexpected(needed.error());
@@ -184,7 +253,22 @@ Result<std::shared_ptr<const CheckReport>> check(const CheckSubject& subject, co
         return failure(check_finding::kCheckNeedsMemory,
                        {figures("{}", readableBytes(*needed)),
                         figures("{}", readableBytes(static_cast<double>(memoryBytes)))});
-    return Check(subject, rules, context).run();
+    const double wouldKeep = *needed + static_cast<double>(m_checkpointBytes);
+    const bool keeps = m_checkpointBytes > 0 && kKeptShare * wouldKeep <= static_cast<double>(memoryBytes);
+    Check check(subject, rules, context, keeps ? m_checkpointBytes : 0);
+    if (keeps)
+        check.continueFrom(std::move(kept));
+    kept.reset();
+    auto result = check.run();
+    m_blocksCut = check.blocksCut();
+    if (keeps && result)
+        m_kept = check.takeStock();
+    return result;
+}
+
+Result<std::shared_ptr<const CheckReport>> check(const CheckSubject& subject, const CheckRules& rules,
+                                                 std::uint64_t memoryBytes, const WorkContext& context) {
+    return Checker().check(subject, rules, memoryBytes, context);
 }
 
 } // namespace proveout

@@ -6,27 +6,94 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
+
+#include "core/verification/findings/check_findings.h"
 
 namespace proveout {
+
+namespace {
+
+constexpr double kSamePlace = 1e-6; ///< mm
+
+bool samePlace(const std::optional<Vec3>& a, const std::optional<Vec3>& b) {
+    return a && b ? glm::length(*a - *b) <= kSamePlace : a.has_value() == b.has_value();
+}
+
+/// Whether a waiver is about this finding, whatever its count.
+bool names(const Waiver& waiver, const CheckFinding& finding) {
+    return waiver.finding == finding.diagnostic.id && waiver.tool == finding.tool &&
+           waiver.values == valuesOf(finding.diagnostic) && samePlace(waiver.place, finding.place);
+}
+
+void waive(std::vector<CheckFinding>& findings, const Waiver& waiver) {
+    std::vector<CheckFinding*> named;
+    std::size_t count = 0;
+    for (CheckFinding& finding : findings) {
+        if (!names(waiver, finding))
+            continue;
+        named.push_back(&finding);
+        count += finding.count;
+    }
+    if (!named.empty() && count == waiver.count) {
+        for (CheckFinding* finding : named)
+            finding->waived = waiver;
+        return;
+    }
+    findings.push_back({.diagnostic = diagnosticOf(check_finding::kWaiverUnused,
+                                                   {waiver.finding, waiver.owner, waiver.reason})});
+}
+
+} // namespace
+
+std::string valuesOf(const Diagnostic& diagnostic) {
+    std::string values;
+    for (const Argument& argument : diagnostic.arguments)
+        values += (values.empty() ? "" : "; ") + argument.text();
+    return values;
+}
 
 Verdict CheckReport::verdict() const {
     Diagnostics diagnostics;
     for (const CheckFinding& finding : findings)
-        diagnostics.push_back(finding.diagnostic);
+        if (!finding.waived)
+            diagnostics.push_back(finding.diagnostic);
     const Verdict verdict = verdictOf(diagnostics, notChecked);
     return programUnverified && verdict == Verdict::safe ? Verdict::unverified : verdict;
 }
 
 std::size_t CheckReport::faults() const {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        findings, [](const CheckFinding& one) { return one.diagnostic.severity == Severity::fault; }));
+    return static_cast<std::size_t>(std::ranges::count_if(findings, [](const CheckFinding& one) {
+        return one.diagnostic.severity == Severity::fault && !one.waived;
+    }));
 }
 
-CheckReport CheckReport::accepting(const std::set<std::string>& accepted) const {
+CheckReport CheckReport::answered(const IdsWithReasons& accepted, const std::vector<Waiver>& waivers) const {
     CheckReport report = *this;
     for (NotChecked& entry : report.notChecked)
-        entry.accepted = accepted.contains(entry.row->id);
+        entry.accept(accepted);
+    std::erase_if(report.findings, [](const CheckFinding& one) {
+        return hasIdOf(one.diagnostic, check_finding::kWaiverUnused);
+    });
+    for (CheckFinding& finding : report.findings)
+        finding.waived.reset();
+    for (const Waiver& waiver : waivers)
+        waive(report.findings, waiver);
     return report;
+}
+
+Waiver CheckReport::waiverOf(const CheckFinding& finding, std::string reason, std::string owner) const {
+    Waiver waiver{.finding = finding.diagnostic.id,
+                  .tool = finding.tool,
+                  .count = 0,
+                  .values = valuesOf(finding.diagnostic),
+                  .place = finding.place,
+                  .reason = std::move(reason),
+                  .owner = std::move(owner)};
+    for (const CheckFinding& one : findings)
+        if (names(waiver, one))
+            waiver.count += one.count;
+    return waiver;
 }
 
 CheckChange changeBetween(const CheckReport& before, const CheckReport& after) {

@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
+#include "core/simulation/setup/check_rules.h"
 #include "core/verification/rules/first_contacts.h"
 #include "core/verification/verdict/verdict.h"
 
@@ -25,9 +25,13 @@ struct CheckFinding {
     double limit = 0;
     const char* unit = ""; ///< of value and limit; empty: there is no value
     std::optional<Vec3> place = {};
+    std::optional<Waiver> waived = {}; ///< somebody answers for it: it does not count in the verdict
 
     friend bool operator==(const CheckFinding&, const CheckFinding&) = default;
 };
+
+/// The values of its sentence, as a waiver has them.
+[[nodiscard]] std::string valuesOf(const Diagnostic& diagnostic);
 
 /// A first contact with its line.
 struct CheckedContact {
@@ -41,15 +45,19 @@ struct CheckReport {
     std::size_t ofText = 0; ///< so many of them, the first ones, are of the job and the program text alone
     std::vector<NotChecked> notChecked; ///< what concerns the program
     std::vector<CheckedContact> firstContacts;
-    /// The program itself is unverified, or has no motion.
+    /// The program itself is unverified for a reason that is not among the findings, or has no motion.
     bool programUnverified = false;
 
     /// By findings and notChecked.
     [[nodiscard]] Verdict verdict() const;
-    /// The number of findings that are faults.
+    /// The number of findings that are faults and not waived.
     [[nodiscard]] std::size_t faults() const;
-    /// The same result with these ids accepted and no others.
-    [[nodiscard]] CheckReport accepting(const std::set<std::string>& accepted) const;
+    /// The same result with these ids accepted and these findings waived, and no others. A waiver whose
+    /// finding is gone or has changed becomes a finding.
+    [[nodiscard]] CheckReport answered(const IdsWithReasons& accepted,
+                                       const std::vector<Waiver>& waivers) const;
+    /// The waiver that names the finding; `finding` is one of this report.
+    [[nodiscard]] Waiver waiverOf(const CheckFinding& finding, std::string reason, std::string owner) const;
 };
 
 /// How the findings of a report differ from those of an earlier one.

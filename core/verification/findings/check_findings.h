@@ -31,6 +31,31 @@ inline constexpr FindingRow kCheckFailed{Severity::error,
                                          PROVEOUT_TEXT("Core", "The check failed: {}."),
                                          ""};
 
-inline constexpr std::array kCheckRows{&kCheckNeedsMemory, &kCheckOutOfMemory, &kCheckFailed};
+/// Arguments: id of the finding, owner, reason.
+inline constexpr FindingRow kWaiverUnused{
+    Severity::note,
+    false,
+    "waiver-unused",
+    PROVEOUT_TEXT("Core", "Waiver without its finding"),
+    PROVEOUT_TEXT("Core", "The waiver of {} by {} ({}) has no effect: that finding is gone or has changed."),
+    PROVEOUT_TEXT("Core", "Remove the waiver, or look at the finding and waive it again.")};
+/// Arguments: owner, reason.
+inline constexpr FindingRow kWaived{
+    Severity::note,
+    false,
+    "waived",
+    PROVEOUT_TEXT("Core", "Waived"),
+    PROVEOUT_TEXT("Core", "This does not count in the verdict: waived by {} ({})."),
+    ""};
+inline constexpr FindingRow kRuleSettingUnknown{
+    Severity::warning,
+    false,
+    "rule-setting-unknown",
+    PROVEOUT_TEXT("Core", "Unknown rule in the job"),
+    PROVEOUT_TEXT("Core", "The job names “{}”, but nothing that is checked has this id."),
+    PROVEOUT_TEXT("Core", "Correct the id; “proveout-cli rules” lists all of them.")};
+
+inline constexpr std::array kCheckRows{&kCheckNeedsMemory, &kCheckOutOfMemory, &kCheckFailed,
+                                       &kWaiverUnused,     &kWaived,           &kRuleSettingUnknown};
 
 } // namespace proveout::check_finding

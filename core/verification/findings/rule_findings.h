@@ -223,6 +223,14 @@ inline constexpr FindingRow kTapNotReversed{
     PROVEOUT_TEXT("Core", "The tap is retracted from a thread {} mm deep without reversing the spindle."),
     PROVEOUT_TEXT("Core", "Tap with G84, G74 or G33.1; turn this rule off for a reversing tap holder.")};
 
+inline constexpr FindingRow kTravelLimit{
+    Severity::fault,
+    false,
+    "travel-limit",
+    PROVEOUT_TEXT("Core", "Beyond the travel"),
+    PROVEOUT_TEXT("Core", "{3} moves {1} mm beyond its travel limit, {2} mm in machine coordinates."),
+    PROVEOUT_TEXT("Core", "Place the part elsewhere, turn it, or shorten the motion.")};
+
 inline constexpr FindingRow kCommentDiameter{
     Severity::warning,
     false,
@@ -247,7 +255,7 @@ inline constexpr std::array kRuleRows{&kSpindleStopped,   &kSpindleNeverTurns, &
                                       &kEngagementJump,   &kFullSlot,          &kChipLimit,
                                       &kSurfaceSpeed,     &kRemovalRate,       &kToolFeedLimit,
                                       &kToolSpindleLimit, &kSpindleLimit,      &kRampTooSteep,
-                                      &kTapFeed,          &kTapNotReversed,    &kCommentDiameter,
-                                      &kCommentShape};
+                                      &kTapFeed,          &kTapNotReversed,    &kTravelLimit,
+                                      &kCommentDiameter,  &kCommentShape};
 
 } // namespace proveout::rule_finding

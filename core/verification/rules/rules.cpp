@@ -39,6 +39,7 @@ constexpr std::array<const FindingRow*, 1> kOfSpindle{&kSpindleLimit};
 constexpr std::array<const FindingRow*, 1> kOfRamps{&kRampTooSteep};
 constexpr std::array<const FindingRow*, 1> kOfTapFeed{&kTapFeed};
 constexpr std::array<const FindingRow*, 1> kOfTapOut{&kTapNotReversed};
+constexpr std::array<const FindingRow*, 1> kOfTravel{&kTravelLimit};
 
 constexpr std::array kRules{
     Rule{kOfStoppedSpindle, "mm", judgeStoppedSpindle},
@@ -67,6 +68,7 @@ constexpr std::array kRules{
     Rule{kOfRamps, "°", judgeRamps},
     Rule{kOfTapFeed, "mm/min", judgeTapFeed},
     Rule{kOfTapOut, "mm", judgeTapOut},
+    Rule{kOfTravel, "mm", judgeTravel},
 };
 
 } // namespace
@@ -104,13 +106,14 @@ const char* unitOf(const FindingRow& row) {
     return "";
 }
 
-std::vector<RuleFinding> judge(const CheckedRun& run, const RuleLimits& limits,
-                               const std::set<std::string>& off, const WorkContext& context) {
+std::vector<RuleFinding> judge(const CheckedRun& run, const CheckRules& by, const WorkContext& context) {
     RuleFindings findings;
     for (const Rule& rule : kRules)
-        if (!context.stopped() && !off.contains(rule.id()))
-            rule.judge(run, limits, findings);
-    return findings.all();
+        if (!context.stopped() && !by.off.contains(rule.id()))
+            rule.judge(run, by.limits, findings);
+    std::vector<RuleFinding> all = findings.all();
+    std::erase_if(all, [&by](const RuleFinding& one) { return by.isOff(one.row->id, one.tool); });
+    return all;
 }
 
 Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program) {

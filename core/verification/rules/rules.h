@@ -6,87 +6,16 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/base/field.h"
 #include "core/base/finding_row.h"
 #include "core/base/work_context.h"
+#include "core/simulation/setup/check_rules.h"
 #include "core/verification/rules/checked_run.h"
 
 namespace proveout {
-
-/// The limits of the rules. Value type; mm, seconds, per cent.
-struct RuleLimits {
-    double leastRemoved = 0.1;
-    double belowStock = 3;
-    double airSeconds = 10;
-    double looseVolume = 1;
-    double fixtureClearance = 1;
-    double tapFeedError = 1;
-    double rapidClearance = 0; ///< 0: rapids may come as close as they like
-
-    friend bool operator==(const RuleLimits&, const RuleLimits&) = default;
-};
-
-/// Visits every field once; see field.h.
-template<ParametersOf<RuleLimits> Params, class Visitor>
-void describe(Params& limits, Visitor&& visit) {
-    visit(limits.leastRemoved,
-          Field{.key = "leastRemoved",
-                .label = "Least removal",
-                .unit = "%",
-                .help = "A program that removes less of the stock counts as not cutting.",
-                .minimum = 0,
-                .maximum = 100,
-                .step = 0.1});
-    visit(limits.belowStock, Field{.key = "belowStock",
-                                   .label = "Room below stock",
-                                   .unit = "mm",
-                                   .help = "How far below the bottom of the stock a cutter may go.",
-                                   .minimum = 0,
-                                   .maximum = 1000,
-                                   .step = 0.5});
-    visit(limits.airSeconds, Field{.key = "airSeconds",
-                                   .label = "Feeding in air",
-                                   .unit = "s",
-                                   .help = "Longer stretches of feeding in air are reported.",
-                                   .minimum = 0,
-                                   .maximum = 1e6,
-                                   .step = 1});
-    visit(limits.looseVolume, Field{.key = "looseVolume",
-                                    .label = "Smallest loose piece",
-                                    .unit = "mm³",
-                                    .help = "Smaller pieces that come loose count as chips.",
-                                    .minimum = 0,
-                                    .maximum = 1e9,
-                                    .step = 1});
-    visit(limits.fixtureClearance,
-          Field{.key = "fixtureClearance",
-                .label = "Clearance of fixtures",
-                .unit = "mm",
-                .help = "A tool that comes nearer to a fixture is reported, across and upwards.",
-                .minimum = 0,
-                .maximum = 1000,
-                .step = 0.5});
-    visit(limits.tapFeedError, Field{.key = "tapFeedError",
-                                     .label = "Feed of taps",
-                                     .unit = "%",
-                                     .help = "How far the feed of a tap may be from its pitch.",
-                                     .minimum = 0,
-                                     .maximum = 100,
-                                     .step = 0.5});
-    visit(limits.rapidClearance,
-          Field{.key = "rapidClearance",
-                .label = "Clearance of rapids",
-                .unit = "mm",
-                .help = "Rapids that pass less than this above the stock are reported; 0: none.",
-                .minimum = 0,
-                .maximum = 1000,
-                .step = 0.5});
-}
 
 /// What a rule found: one finding for all blocks of one tool in which it was broken by one thing.
 struct RuleFinding {
@@ -129,10 +58,9 @@ struct Rule {
 /// The unit of the values of a finding; empty if it is not of a rule.
 [[nodiscard]] const char* unitOf(const FindingRow& row);
 
-/// Judges a run by all rules whose ids are not in `off`, in the order of the table; stopped between two
-/// rules, by those before it.
-[[nodiscard]] std::vector<RuleFinding> judge(const CheckedRun& run, const RuleLimits& limits,
-                                             const std::set<std::string>& off,
+/// Judges a run by all rules that are not turned off, in the order of the table; stopped between two rules,
+/// by those before it.
+[[nodiscard]] std::vector<RuleFinding> judge(const CheckedRun& run, const CheckRules& by,
                                              const WorkContext& context = {});
 
 /// The sentence of a finding, at the line of its first block.
@@ -165,6 +93,7 @@ void judgeToolSpindle(const CheckedRun& run, const RuleLimits& limits, RuleFindi
 void judgeSpindleLimit(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeRamps(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeTapFeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeTravel(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeTapOut(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 
 } // namespace proveout

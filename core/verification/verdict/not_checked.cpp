@@ -6,14 +6,11 @@
 #include <variant>
 
 #include "core/base/text.h"
+#include "core/cutter/gauge_length.h"
 
 namespace proveout {
 
 namespace {
-
-bool always(const CheckScope&) {
-    return true;
-}
 
 bool lacksStock(const CheckScope& scope) {
     return !scope.hasStock;
@@ -21,6 +18,14 @@ bool lacksStock(const CheckScope& scope) {
 
 bool fittedStock(const CheckScope& scope) {
     return scope.hasStock && scope.stockFitted;
+}
+
+bool knowsTravel(const CheckScope& scope, int axis) {
+    return scope.machine != nullptr && scope.machine->programZero() && scope.machine->travel(axis);
+}
+
+bool lacksTravel(const CheckScope& scope) {
+    return !scope.hasStock || !knowsTravel(scope, 0) || !knowsTravel(scope, 1) || !knowsTravel(scope, 2);
 }
 
 bool lacksMachine(const CheckScope& scope) {
@@ -65,6 +70,11 @@ bool lacksHolder(const CheckScope& scope) {
            anyCutter(scope, [](const Cutter& cutter) { return cutter.body().holder.empty(); });
 }
 
+bool lacksLength(const CheckScope& scope) {
+    return scope.hasStock && knowsTravel(scope, 2) &&
+           anyCutter(scope, [](const Cutter& cutter) { return !gaugeLength(&cutter); });
+}
+
 bool lacksShank(const CheckScope& scope) {
     return !scope.hasStock ||
            anyCutter(scope, [](const Cutter& cutter) { return !cutter.body().shankGiven; });
@@ -83,7 +93,9 @@ constexpr std::array kRows{
     NotCheckedRow{"holder-not-given", PROVEOUT_TEXT("Core", "Collisions of the tool holder"), lacksHolder},
     NotCheckedRow{"shank-not-given", PROVEOUT_TEXT("Core", "Collisions of the shank"), lacksShank},
     NotCheckedRow{"fixtures-not-given", PROVEOUT_TEXT("Core", "Collisions with fixtures"), lacksFixtures},
-    NotCheckedRow{"travel-not-given", PROVEOUT_TEXT("Core", "Travel limits of the machine"), always},
+    NotCheckedRow{"travel-not-given", PROVEOUT_TEXT("Core", "Travel limits of the machine"), lacksTravel},
+    NotCheckedRow{"tool-length-not-given", PROVEOUT_TEXT("Core", "Travel of Z with tools without a holder"),
+                  lacksLength},
     NotCheckedRow{"machine-not-given",
                   PROVEOUT_TEXT("Core", "Maximum feed rate and spindle speed of the machine"), lacksMachine},
     NotCheckedRow{"largest-spindle-not-given", PROVEOUT_TEXT("Core", "Maximum spindle speed of the machine"),
@@ -101,11 +113,17 @@ std::span<const NotCheckedRow> notCheckedRows() {
     return kRows;
 }
 
-std::vector<NotChecked> notChecked(const CheckScope& scope, const std::set<std::string>& accepted) {
+void NotChecked::accept(const IdsWithReasons& ids) {
+    const auto found = ids.find(row->id);
+    accepted = found != ids.end();
+    reason = accepted ? found->second : std::string();
+}
+
+std::vector<NotChecked> notChecked(const CheckScope& scope, const IdsWithReasons& accepted) {
     std::vector<NotChecked> entries;
     for (const NotCheckedRow& row : kRows)
         if (row.concerns(scope))
-            entries.push_back({&row, accepted.contains(row.id)});
+            entries.emplace_back(&row).accept(accepted);
     return entries;
 }
 

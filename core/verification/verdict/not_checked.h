@@ -3,12 +3,12 @@
 // name.
 #pragma once
 
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/nc/program/program.h"
+#include "core/simulation/setup/check_rules.h"
 #include "core/simulation/setup/machine.h"
 #include "core/simulation/setup/setup.h"
 #include "core/simulation/setup/tool_choice.h"
@@ -35,9 +35,12 @@ struct NotCheckedRow {
 struct NotChecked {
     const NotCheckedRow* row = nullptr;
     bool accepted = false;
+    std::string reason = {}; ///< why it is accepted; may be empty
+
+    /// Sets both by the ids that are accepted.
+    void accept(const IdsWithReasons& ids);
 };
-/// The entries that concern a program; `accepted`: ids.
-[[nodiscard]] std::vector<NotChecked> notChecked(const CheckScope& scope,
-                                                 const std::set<std::string>& accepted);
+/// The entries that concern a program.
+[[nodiscard]] std::vector<NotChecked> notChecked(const CheckScope& scope, const IdsWithReasons& accepted);
 
 } // namespace proveout

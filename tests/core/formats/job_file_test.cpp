@@ -213,6 +213,39 @@ TEST_F(JobFile, TheMachineIsAssumedUnlessTheJobDescribesIt) {
     EXPECT_FALSE(read(with("\"grid\"", R"("machine": {"rapidXY": 0}, "grid")")));
 }
 
+TEST_F(JobFile, TheCheckHasLimitsRulesAndWaivers) {
+    const auto job = read(with("\"grid\"", R"("check": {
+        "limits": {"rapidClearance": 1.5},
+        "off": {"full-slot:T3": "trochoidal"},
+        "accepted": {"manual-stops": "clamps are turned by hand"},
+        "waivers": {"first": {"finding": "rapid-cuts", "tool": 1, "count": 2, "values": "0.5",
+                              "place": [1, 2, -0.5], "reason": "drilled before", "owner": "M. Roth"}}}, "grid")"));
+    ASSERT_TRUE(job);
+    EXPECT_EQ(job->check.limits.rapidClearance, 1.5);
+    EXPECT_EQ(job->check.limits.belowStock, RuleLimits().belowStock);
+    EXPECT_TRUE(job->check.isOff("full-slot", 3));
+    EXPECT_FALSE(job->check.isOff("full-slot", 2));
+    EXPECT_EQ(job->check.accepted.at("manual-stops"), "clamps are turned by hand");
+    const Waiver waiver{"rapid-cuts", 1, 2, "0.5", Vec3(1, 2, -0.5), "drilled before", "M. Roth"};
+    EXPECT_EQ(job->check.waivers, std::vector{waiver});
+    EXPECT_EQ(read(kWhole)->check, CheckRules());
+}
+
+TEST_F(JobFile, AWaiverNeedsAReasonAndAnOwner) {
+    const auto about = [this](const std::string& fields) {
+        return reported(with("\"grid\"", R"("check": {"waivers": {"a": {)" + fields + R"(}}}, "grid")"));
+    };
+    EXPECT_THAT(about(R"("finding": "rapid-cuts", "owner": "M. Roth")"), HasSubstr("check.waivers.a.reason"));
+    EXPECT_THAT(about(R"("finding": "rapid-cuts", "owner": "", "reason": "b")"),
+                HasSubstr("check.waivers.a.owner"));
+    EXPECT_THAT(about(R"("finding": "a", "owner": "b", "reason": "c", "count": 0)"),
+                HasSubstr("check.waivers.a.count"));
+    EXPECT_THAT(about(R"("finding": "a", "owner": "b", "reason": "c", "place": [1, 2])"),
+                HasSubstr("check.waivers.a.place"));
+    EXPECT_FALSE(read(with("\"grid\"", R"("check": {"limits": {"rapidClearance": -1}}, "grid")")));
+    EXPECT_FALSE(read(with("\"grid\"", R"("check": {"off": ["full-slot"]}, "grid")")));
+}
+
 TEST_F(JobFile, RegionAndPeriodAreTheDefaultsOfTheMethodUnlessTheyAreGiven) {
     const auto parameters = [this](const std::string& decimation) {
         return read(R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3},
@@ -422,6 +455,12 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
         job.setup.fixtures = {
             {"left jaw", FixtureBox{real(random), real(random), -real(random), 1 + real(random), 2, 0.3}},
             {"screw = 2", FixtureCylinder{0, -real(random), 0, 1 + real(random), 1e-3}}};
+    if (random() % 2 == 0)
+        job.check = {.limits = {.airSeconds = std::abs(real(random)), .rapidClearance = 0.1},
+                     .off = {{"full-slot:T3", "a \"b\""}, {"air-cutting", {}}},
+                     .accepted = {{"probing", "ä"}},
+                     .waivers = {{"rapid-cuts", 3, 7, "1; 2", Vec3(real(random), -0.1, 1e-9), "c", "d"},
+                                 {"code-unknown", 0, 1, "G987", {}, "e", "f"}}};
     return job;
 }
 
@@ -439,6 +478,7 @@ TEST_F(JobFile, ReadsWhatItWrites) {
         EXPECT_EQ(back->setup, job.setup) << "every double comes back bit for bit";
         EXPECT_EQ(back->parameters, job.parameters);
         EXPECT_EQ(back->machine, job.machine);
+        EXPECT_EQ(back->check, job.check);
     }
 }
 

@@ -3,24 +3,29 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <limits>
-#include <set>
+#include <random>
+#include <sstream>
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "core/verification/findings/check_findings.h"
 #include "tests/core/simulation/programs.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
 
 constexpr auto kAnyMemory = std::numeric_limits<std::uint64_t>::max();
-const std::set<std::string> kAll{"holder-not-given", "shank-not-given",   "fixtures-not-given",
-                                 "travel-not-given", "machine-not-given", "tool-limits-not-given"};
+const IdsWithReasons kAll{{"holder-not-given", {}}, {"shank-not-given", {}},   {"fixtures-not-given", {}},
+                          {"travel-not-given", {}}, {"machine-not-given", {}}, {"tool-limits-not-given", {}}};
 const std::string kHead = "G21 G90 G17\nT1 M6\nS1000 M3\nG0 X5 Y5 Z5\n";
 const std::string kClean = kHead + "G1 Z-2 F100\nX20\nG0 Z5\nM5\nM30\n";
 
@@ -38,9 +43,9 @@ TEST(Check, OfACleanProgramIsSafeOnceAllIsAccepted) {
     const CheckReport all = reportOf(kClean);
     EXPECT_EQ(all.verdict(), Verdict::safe);
     EXPECT_TRUE(all.findings.empty());
-    EXPECT_EQ(all.accepting({}).verdict(), Verdict::unverified);
+    EXPECT_EQ(all.answered({}, {}).verdict(), Verdict::unverified);
     EXPECT_EQ(reportOf(kClean, {}).verdict(), Verdict::unverified);
-    EXPECT_EQ(reportOf(kClean, {}).accepting(kAll).verdict(), Verdict::safe);
+    EXPECT_EQ(reportOf(kClean, {}).answered(kAll, {}).verdict(), Verdict::safe);
 }
 
 TEST(Check, HasTheBlocksOfAFault) {
@@ -63,7 +68,138 @@ TEST(Check, HasTheBlocksOfAFault) {
 TEST(Check, OfAProgramWithAnUnknownWordIsUnverified) {
     const CheckReport report = reportOf(kHead + "G1 Z-2 F100\nG987\nX20\nG0 Z5\nM30\n");
     EXPECT_EQ(report.verdict(), Verdict::unverified);
-    EXPECT_TRUE(report.programUnverified);
+}
+
+// ---- waivers ----
+
+const std::string kRapid = "G1 Z-2 F100\nX10\nG0 X20\nZ5\nM30\n";
+
+/// The rules with a waiver of the only finding of a text.
+CheckRules waiving(const std::string& text) {
+    CheckRules rules{.accepted = kAll};
+    const CheckReport report = reportOf(text);
+    EXPECT_EQ(report.findings.size(), 1U);
+    rules.waivers.push_back(report.waiverOf(report.findings.front(), "a hole is there", "M. Roth"));
+    return rules;
+}
+
+TEST(Waivers, TakeAFindingOutOfTheVerdict) {
+    const CheckRules rules = waiving(kHead + kRapid);
+    const CheckReport report = reportOf(kHead + kRapid, rules);
+    EXPECT_EQ(report.verdict(), Verdict::safe);
+    EXPECT_EQ(report.faults(), 0U);
+    ASSERT_EQ(report.findings.size(), 1U);
+    ASSERT_TRUE(report.findings.front().waived);
+    EXPECT_EQ(report.findings.front().waived->owner, "M. Roth");
+    EXPECT_EQ(report.answered(kAll, {}).verdict(), Verdict::faults) << "withdrawn";
+}
+
+TEST(Waivers, StayWhereLinesAreInserted) {
+    EXPECT_EQ(reportOf("(A)\n(B)\n" + kHead + kRapid, waiving(kHead + kRapid)).verdict(), Verdict::safe);
+}
+
+TEST(Waivers, EndWhereBlockSizeToolOrNumberChange) {
+    const CheckRules rules = waiving(kHead + kRapid);
+    const std::string otherTool = "G21 G90 G17\nT2 M6\nS1000 M3\nG0 X5 Y5 Z5\n" + kRapid;
+    const std::string deeper = kHead + "G1 Z-2.01 F100\nX10\nG0 X20\nZ5\nM30\n";
+    const std::string elsewhere = kHead + "G1 Z-2 F100\nX10\nG0 X21\nZ5\nM30\n";
+    const std::string twice = kHead + "G1 Z-2 F100\nX10\nG0 X20\nG1 Y10\nG0 X10\nZ5\nM30\n";
+    for (const std::string& text : {otherTool, deeper, elsewhere, twice}) {
+        auto subject = subjectOf(text);
+        subject.setup = setupWithTool(2, "ball:d=4");
+        const auto report = check(subject, rules, kAnyMemory).value();
+        EXPECT_EQ(report->verdict(), Verdict::faults) << text;
+        const auto says = [](const CheckFinding& one) {
+            return hasIdOf(one.diagnostic, check_finding::kWaiverUnused);
+        };
+        EXPECT_EQ(std::ranges::count_if(report->findings, says), 1) << text;
+    }
+}
+
+TEST(Waivers, OfAnUnknownWordLeaveTheRestVerified) {
+    const std::string text = kHead + "G1 Z-2 F100\nG987\nX20\nG0 Z5\nM30\n";
+    EXPECT_EQ(reportOf(text, waiving(text)).verdict(), Verdict::safe);
+    const std::string two = kHead + "G1 Z-2 F100\nG987\nX20\nG988\nG0 Z5\nM30\n";
+    EXPECT_EQ(reportOf(two, waiving(text)).verdict(), Verdict::unverified);
+}
+
+TEST(Check, RulesAreTurnedOffForAllToolsOrOne) {
+    const std::string text = kHead + "G1 Z-2 F100\nG0 X20\nZ5\nT2 M6\nS1000 M3\nG0 Y20\nZ-1\nZ5\nM30\n";
+    auto subject = subjectOf(text);
+    subject.setup = setupWithTool(2, "ball:d=4");
+    const auto faults = [&](const IdsWithReasons& off) {
+        return check(subject, {.off = off, .accepted = kAll}, kAnyMemory).value()->faults();
+    };
+    EXPECT_EQ(faults({}), 2U);
+    EXPECT_EQ(faults({{"rapid-cuts:T1", {}}}), 1U);
+    EXPECT_EQ(faults({{"rapid-cuts:T2", {}}}), 1U);
+    EXPECT_EQ(faults({{"rapid-cuts", {}}}), 0U);
+}
+
+TEST(Check, NamesUnknownIdsOfTheJob) {
+    const CheckReport report =
+        reportOf(kClean, {.off = {{"rapid-cut", {}}, {"full-slot:T3", {}}}, .accepted = {{"travel", {}}}});
+    std::vector<std::string> unknown;
+    for (const CheckFinding& one : report.findings)
+        unknown.push_back(one.diagnostic.arguments.front().text());
+    EXPECT_EQ(unknown, (std::vector<std::string>{"rapid-cut", "travel"}));
+}
+
+// ---- travel ----
+
+/// The check of a text on a machine whose travel is that of the program coordinates given.
+CheckReport onMachine(const std::string& text, const Box3& travel, const std::string& tool) {
+    auto subject = subjectOf(text);
+    subject.setup = setupWithTool(1, tool);
+    Machine machine;
+    machine.largestSpindle = 20'000;
+    std::tie(machine.offsetX, machine.offsetY, machine.offsetZ) = std::tuple(-200.0, -100.0, -300.0);
+    std::tie(machine.minX, machine.minY, machine.minZ) =
+        std::tuple(travel.lo.x - 200, travel.lo.y - 100, travel.lo.z - 300);
+    std::tie(machine.maxX, machine.maxY, machine.maxZ) =
+        std::tuple(travel.hi.x - 200, travel.hi.y - 100, travel.hi.z - 300);
+    subject.machine = machine;
+    return *check(subject, {.accepted = kAll}, kAnyMemory).value();
+}
+
+bool leaves(const CheckReport& report, const std::string& id) {
+    return std::ranges::any_of(report.notChecked, [&](const NotChecked& one) { return one.row->id == id; });
+}
+
+TEST(Travel, IsJudgedWithArcsAndTheLengthOfTheTool) {
+    // The arc reaches X25, and the face of the spindle is 80 mm above the tip.
+    const std::string text = kHead + "G1 Z-2 F100\nG3 X5 Y25 I10 J10\nG0 Z5\nM30\n";
+    const double farX = 15 + std::sqrt(200.0);
+    const std::string tool = "ball:d=4,l=20,so=50,holder=40x30";
+    const auto report = [&](double x, double z) {
+        return onMachine(text, {Vec3(0, 0, 78), Vec3(x, 40, z)}, tool);
+    };
+    EXPECT_EQ(report(farX, 85).faults(), 0U);
+    EXPECT_FALSE(leaves(report(farX, 85), "travel-not-given"));
+    EXPECT_FALSE(leaves(report(farX, 85), "tool-length-not-given"));
+    const CheckReport beyondX = report(farX - 0.5, 85);
+    ASSERT_EQ(beyondX.faults(), 1U);
+    EXPECT_NEAR(beyondX.findings.front().value, 0.5, 1e-9);
+    EXPECT_EQ(beyondX.findings.front().diagnostic.where.line, 6);
+    EXPECT_EQ(report(farX, 84.5).findings.front().diagnostic.where.line, 4) << "the first of three blocks";
+    EXPECT_EQ(report(farX, 84.5).findings.front().count, 3U);
+}
+
+TEST(Travel, OfZNeedsTheLengthOfTheTool) {
+    const std::string text = kHead + "G1 Z-2 F100\nG0 Z5\nM30\n";
+    const CheckReport report = onMachine(text, {Vec3(0), Vec3(40, 40, 4)}, "ball:d=4,l=20");
+    EXPECT_EQ(report.faults(), 0U);
+    EXPECT_TRUE(leaves(report, "tool-length-not-given"));
+}
+
+TEST(Travel, IsNotCheckedWithoutAPlaceOfThePart) {
+    auto subject = subjectOf(kClean);
+    Machine machine;
+    std::tie(machine.maxX, machine.maxY, machine.maxZ) = std::tuple(1.0, 1.0, 1.0);
+    subject.machine = machine;
+    const auto report = check(subject, {.accepted = kAll}, kAnyMemory).value();
+    EXPECT_EQ(report->faults(), 0U);
+    EXPECT_TRUE(leaves(*report, "travel-not-given"));
 }
 
 TEST(Check, IsRefusedWithoutTheMemoryForIt) {
@@ -92,6 +228,80 @@ TEST(Check, IsStoppedWithin200Milliseconds) {
     ASSERT_TRUE(report.has_value());
     EXPECT_EQ(*report, nullptr) << "it ended before it was stopped";
     EXPECT_LT(ended - asked, std::chrono::milliseconds(200));
+}
+
+/// A version of a program: some lines changed, removed or inserted.
+std::string edited(const std::string& text, std::mt19937& random) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    const std::size_t at = 4 + random() % (lines.size() - 5);
+    const std::string cut =
+        fmt::format("G{} X{} Y{} Z-{}", random() % 2, random() % 40, random() % 30, random() % 4);
+    if (random() % 3 == 0)
+        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(at));
+    else if (random() % 2 == 0)
+        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), cut);
+    else
+        lines[at] = cut;
+    std::string out;
+    for (const std::string& line : lines)
+        out += line + '\n';
+    return out;
+}
+
+bool alike(const CheckReport& a, const CheckReport& b) {
+    const auto contact = [](const CheckedContact& one, const CheckedContact& other) {
+        return one.line == other.line && one.of.block == other.of.block && one.of.start == other.of.start;
+    };
+    return a.findings == b.findings && a.verdict() == b.verdict() &&
+           std::ranges::equal(a.firstContacts, b.firstContacts, contact);
+}
+
+TEST(Checker, OfAnEditedProgramFindsWhatACheckOfItAloneFinds) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    Checker checker(1'000'000);
+    CheckRules rules{.accepted = kAll};
+    std::string text = kHead + randomProgram(seed, 60);
+    const auto setup = smallSetup();
+    for (int round = 0; round < 60; ++round) {
+        rules.limits.rapidClearance = round % 7 == 0 ? 1 : 0;
+        text = edited(text, random);
+        const CheckSubject subject{.program = programOf(text), .setup = setup};
+        std::stop_source stop;
+        if (random() % 4 == 0) { // a check that was stopped somewhere must leave no trace
+            const double until = static_cast<double>(random() % 100) / 100;
+            (void)checker.check(subject, rules, kAnyMemory, {stop.get_token(), [&](double done) {
+                                                                 if (done >= until)
+                                                                     stop.request_stop();
+                                                             }});
+            text = edited(text, random);
+        }
+        const CheckSubject next{.program = programOf(text), .setup = setup};
+        const auto continued = checker.check(next, rules, kAnyMemory).value();
+        const auto alone = check(next, rules, kAnyMemory).value();
+        ASSERT_TRUE(alike(*continued, *alone)) << "round " << round << '\n' << text;
+    }
+}
+
+TEST(Checker, DoesNotCutAgainWhatAnEditHasNotChanged) {
+    const std::string text = randomProgram(3, 400);
+    const std::size_t last = text.rfind("G0", text.size() - 40);
+    Checker checker(10'000'000);
+    ASSERT_TRUE(checker.check(subjectOf(text), {}, kAnyMemory));
+    const std::size_t all = checker.blocksCut();
+    CheckSubject subject = subjectOf(text.substr(0, last) + "G0 Z9\n" + text.substr(last));
+    ASSERT_TRUE(checker.check(subject, {}, kAnyMemory));
+    EXPECT_LT(checker.blocksCut(), all / 2);
+    ASSERT_TRUE(checker.check(subject, {}, 10'000'000)) << "in which there is no room to keep anything";
+    ASSERT_TRUE(checker.check(subject, {}, kAnyMemory));
+    EXPECT_GE(checker.blocksCut(), all);
+    subject.setup = smallSetup(0.25);
+    ASSERT_TRUE(checker.check(subject, {}, kAnyMemory));
+    EXPECT_GE(checker.blocksCut(), all) << "another grid";
 }
 
 TEST(Check, SaysWhatAnEditHasChanged) {

@@ -13,7 +13,8 @@ namespace {
 constexpr double kSpacing = 0.5;
 constexpr int kThickness = 20;
 constexpr int kHeadWidth = 5; // of T3
-constexpr int kLanes = 4;     // of the cuts without a fault, at Y12, Y28, …
+constexpr int kHolderHeight = 40;
+constexpr int kLanes = 4; // of the cuts without a fault, at Y12, Y28, …
 constexpr const char* kToFault = "G0 X[20] Y[92] Z[5]";
 
 // ---- cuts without a fault, each in a lane of its own ----
@@ -562,6 +563,57 @@ void plantCloseRapid(Planting& p) {
     p.value = 0.6;
 }
 
+constexpr int kTravel = 200; ///< the last position of X in program coordinates
+
+Machine machineWithTravel() {
+    Machine machine;
+    machine.offsetX = -300;
+    machine.offsetY = -250;
+    machine.offsetZ = -400;
+    machine.minX = -500;
+    machine.maxX = kTravel - 300;
+    machine.minY = -400;
+    machine.minZ = -500;
+    return machine;
+}
+
+void plantTravel(Planting& p) {
+    const int beyond = p.program.among(1, 30);
+    p.machine = machineWithTravel();
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("X[{}]", kTravel + beyond));
+    p.program.clean(fmt::format("X[{}]", kTravel));
+    p.value = beyond;
+}
+
+/// Only the arc's extreme is beyond the travel.
+void plantTravelOfArc(Planting& p) {
+    const int beyond = p.program.among(1, 9);
+    const int radius = 10 + beyond;
+    p.machine = machineWithTravel();
+    p.program.line(kToFault);
+    p.program.line(fmt::format("X[{}] Y[60]", kTravel - 10));
+    p.program.mark();
+    const std::string arc =
+        fmt::format("X[{}] Y[{}] I[0] J[{}] F[3000]", kTravel - 10, 60 + 2 * radius, radius);
+    p.program.faulty("G3 " + arc);
+    p.program.clean("G2 " + arc);
+    p.value = beyond;
+}
+
+/// The face of the spindle is above the tip by stick-out and holder.
+void plantTravelUpwards(Planting& p) {
+    const int beyond = p.program.among(1, 30);
+    p.machine = machineWithTravel();
+    p.machine->maxZ = p.machine->offsetZ + p.stickOut + kHolderHeight + 60;
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("Z[{}]", 60 + beyond));
+    p.program.clean("Z[60]");
+    p.value = beyond;
+}
+
 // ---- the rows ----
 
 constexpr std::array kKinds{
@@ -605,12 +657,15 @@ constexpr std::array kKinds{
     PlantedKind{"feed missing", "feed-missing", plantMissingFeed, true},
     PlantedKind{"unknown code", "code-unknown", plantUnknownCode},
     PlantedKind{"rotary word", "axis-unsupported", plantRotaryWord},
+    PlantedKind{"travel", "travel-limit", plantTravel},
+    PlantedKind{"travel, arc extreme", "travel-limit", plantTravelOfArc},
+    PlantedKind{"travel upwards", "travel-limit", plantTravelUpwards},
     PlantedKind{"arc that misses its end", "arc-ends-differ", plantArcEnd},
 };
 
 std::string millOf(const Planting& p) {
-    std::string spec =
-        fmt::format("{}:d={},l={},so={},holder={}x40", p.shape, p.diameter, p.flutes, p.stickOut, p.holder);
+    std::string spec = fmt::format("{}:d={},l={},so={},holder={}x{}", p.shape, p.diameter, p.flutes,
+                                   p.stickOut, p.holder, kHolderHeight);
     if (p.shape == "bull")
         spec += ",r=1";
     if (p.shank > 0)

@@ -23,7 +23,7 @@ CheckRules acceptingAll() {
     CheckRules rules;
     rules.limits.rapidClearance = 1;
     for (const NotCheckedRow& row : notCheckedRows())
-        rules.accepted.insert(row.id);
+        rules.accepted.insert({row.id, {}});
     return rules;
 }
 

@@ -4,18 +4,24 @@
 #include <string>
 #include <vector>
 
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QTreeView>
 
 #include "tests/ui/opened.h"
 #include "ui/findings/problems_model.h"
+#include "ui/findings/rules_dialog.h"
+#include "ui/findings/waive_dialog.h"
 
 namespace proveout {
 namespace {
@@ -63,6 +69,29 @@ struct Bench : OwnFolder {
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
         return session.job().setSetup(setup).has_value() &&
                QTest::qWaitFor([this] { return session.problems().all().empty(); }, kPatience);
+    }
+    /// Chooses an action of the context menu of a row.
+    bool choose(int row, const char* action) {
+        const QModelIndex index = list().model()->index(row, ProblemsModel::kSentence);
+        list().scrollTo(index);
+        emit list().customContextMenuRequested(list().visualRect(index).center());
+        auto* menu = panel.findChild<QMenu*>();
+        auto* found = menu == nullptr ? nullptr : menu->findChild<QAction*>(QLatin1String(action));
+        if (found == nullptr)
+            return false;
+        menu->close();
+        found->trigger();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return true;
+    }
+    [[nodiscard]] int rowOf(const char* id) const {
+        for (int row = 0; row < list().model()->rowCount(); ++row)
+            if (list().model()->index(row, ProblemsModel::kId).data().toString() == QLatin1String(id))
+                return row;
+        return -1;
+    }
+    [[nodiscard]] QString textOf(const char* id, int column) const {
+        return list().model()->index(rowOf(id), column).data().toString();
     }
     [[nodiscard]] QLabel& label() const { return *panel.findChild<QLabel*>(QStringLiteral("nothing-found")); }
     [[nodiscard]] QString text() const { return label().isVisible() ? label().text() : QString(); }
@@ -187,6 +216,69 @@ private slots:
         Session other; // the acceptance is kept
         const ProblemsPanel panel(other);
         QVERIFY(other.check().accepted().contains(id));
+    }
+
+    void aFindingIsWaivedWithAReasonAndAPerson() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        QCOMPARE(bench.session.check().report()->faults(), std::size_t{1});
+        bool asked = false;
+        QTimer::singleShot(0, [&] {
+            auto* dialog = bench.panel.findChild<WaiveDialog*>();
+            QVERIFY(dialog != nullptr);
+            auto* waive = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+            QVERIFY(!waive->isEnabled());
+            dialog->findChild<QLineEdit*>(QStringLiteral("waiver-reason"))->setText(QStringLiteral("a hole"));
+            QVERIFY(!waive->isEnabled()); // nobody answers for it yet
+            dialog->findChild<QLineEdit*>(QStringLiteral("waiver-owner"))->setText(QStringLiteral("M. Roth"));
+            asked = waive->isEnabled();
+            waive->click();
+        });
+        QVERIFY(bench.choose(0, "waive"));
+        QVERIFY(asked);
+        QCOMPARE(bench.session.check().report()->faults(), std::size_t{0});
+        QCOMPARE(bench.textOf("rapid-cuts", ProblemsModel::kSeverity), QStringLiteral("Waived"));
+        QCOMPARE(bench.textOf("rapid-cuts", ProblemsModel::kHint),
+                 QStringLiteral("Waived by M. Roth: a hole"));
+        QVERIFY(bench.session.document().job().jobModified());
+        bench.session.job().undoStep();
+        QCOMPARE(bench.session.check().report()->faults(), std::size_t{1});
+        bench.session.job().redoStep();
+        QVERIFY(bench.choose(bench.rowOf("rapid-cuts"), "withdraw-waiver"));
+        QCOMPARE(bench.session.check().report()->faults(), std::size_t{1});
+    }
+
+    void aRuleIsTurnedOffForTheJobOrATool() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        QVERIFY(bench.choose(0, "turn-off-for-tool"));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.check().report() != nullptr, kPatience);
+        QCOMPARE(bench.session.check().report()->faults(), std::size_t{0});
+        QVERIFY(bench.session.job().check().isOff("rapid-cuts", 1));
+        QVERIFY(!bench.session.job().check().isOff("rapid-cuts", 2));
+        bench.session.job().undoStep();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.check().report() != nullptr, kPatience);
+        QCOMPARE(bench.session.check().report()->faults(), std::size_t{1});
+    }
+
+    void theRulesDialogKeepsWhatItDoesNotShow() {
+        const CheckRules rules{.limits = {.rapidClearance = 2},
+                               .off = {{"full-slot:T3", "trochoidal"}, {"air-cutting", "known"}},
+                               .accepted = {{"probing", "by hand"}},
+                               .waivers = {{.finding = "rapid-cuts", .reason = "a", .owner = "b"}}};
+        const RulesDialog dialog(rules, nullptr);
+        QCOMPARE(dialog.rules(), rules);
+        auto& list = *dialog.findChild<QListWidget*>(QStringLiteral("rules"));
+        for (int row = 0; row < list.count(); ++row)
+            if (list.item(row)->toolTip() == QStringLiteral("air-cutting"))
+                list.item(row)->setCheckState(Qt::Checked);
+        CheckRules expected = rules;
+        expected.off.erase("air-cutting");
+        QCOMPARE(dialog.rules(), expected);
+        dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
+        expected.off.clear();
+        expected.limits = {};
+        QCOMPARE(dialog.rules(), expected);
     }
 
     void aProgramThatIsStillReadIsNotFound() {

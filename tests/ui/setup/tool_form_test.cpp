@@ -3,11 +3,13 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "tests/core/cutter/default_spec.h"
+#include "ui/setup/tool_drawing.h"
 
 namespace proveout {
 
@@ -54,6 +56,38 @@ private slots:
         QCOMPARE(form.spec().values.at("angle"), 3.0); // for a side, not for the point
         QCOMPARE(form.spec().values.at("d"), 6.0);     // at the tip
         QCOMPARE(form.spec().values.at("l"), 33.0);
+    }
+
+    void theDrawingIsToScale() {
+        // A flat mill with flutes twice as long as wide, below a holder four times as wide.
+        ToolDrawing drawing;
+        drawing.resize(300, drawing.sizeHint().height());
+        drawing.show(parseCutter("flat:d=10,l=20,so=30,sd=10,holder=40x10").value());
+        QImage picture(drawing.size(), QImage::Format_RGB32);
+        drawing.render(&picture);
+        const auto filled = [&](int x, int y) {
+            return picture.pixelColor(x, y).lightness() !=
+                   drawing.palette().color(QPalette::Window).lightness();
+        };
+        const int bottom = [&] { // of the flutes, below which is the axis and the diameter
+            for (int y = picture.height() - 1; y > 0; --y)
+                if (filled(picture.width() / 2 - 4, y) && filled(picture.width() / 2 - 4, y - 8))
+                    return y;
+            return 0;
+        }();
+        const auto width = [&](int y) {
+            int left = picture.width() / 2;
+            while (left > 60 && filled(left, y))
+                --left;
+            return 2 * (picture.width() / 2 - left);
+        };
+        const double scale = width(bottom - 10) / 10.0;
+        QVERIFY(scale > 2);
+        QVERIFY(qAbs(width(bottom - qRound(35 * scale)) / scale - 40) < 1.5);
+        QVERIFY(!filled(picture.width() / 2 - 4, bottom - qRound(43 * scale)));
+        drawing.show({});
+        drawing.render(&picture);
+        QVERIFY(!filled(picture.width() / 2, picture.height() / 2));
     }
 
     void aHolderIsEditedAsTextAndStaysWithAnotherShape() {

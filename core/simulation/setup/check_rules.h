@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// By what a program is judged: limits of the rules, and what a person answers for. Part of a job.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/field.h"
+#include "core/base/geometry.h"
+#include "core/base/text.h"
+
+namespace proveout {
+
+/// The limits of the rules. Value type; mm, seconds, per cent.
+struct RuleLimits {
+    double leastRemoved = 0.1;
+    double belowStock = 3;
+    double airSeconds = 10;
+    double looseVolume = 1;
+    double fixtureClearance = 1;
+    double tapFeedError = 1;
+    double rapidClearance = 0; ///< 0: rapids may come as close as they like
+
+    friend bool operator==(const RuleLimits&, const RuleLimits&) = default;
+};
+
+/// Visits every field once; see field.h.
+template<ParametersOf<RuleLimits> Params, class Visitor>
+void describe(Params& limits, Visitor&& visit) {
+    visit(limits.leastRemoved,
+          Field{.key = "leastRemoved",
+                .label = PROVEOUT_TEXT("Core", "Least removal"),
+                .unit = "%",
+                .help =
+                    PROVEOUT_TEXT("Core", "A program that removes less of the stock counts as not cutting."),
+                .minimum = 0,
+                .maximum = 100,
+                .step = 0.1});
+    visit(limits.belowStock,
+          Field{.key = "belowStock",
+                .label = PROVEOUT_TEXT("Core", "Room below stock"),
+                .unit = "mm",
+                .help = PROVEOUT_TEXT("Core", "How far below the bottom of the stock a cutter may go."),
+                .minimum = 0,
+                .maximum = 1000,
+                .step = 0.5});
+    visit(limits.airSeconds,
+          Field{.key = "airSeconds",
+                .label = PROVEOUT_TEXT("Core", "Feeding in air"),
+                .unit = "s",
+                .help = PROVEOUT_TEXT("Core", "Longer stretches of feeding in air are reported."),
+                .minimum = 0,
+                .maximum = 1e6,
+                .step = 1});
+    visit(limits.looseVolume,
+          Field{.key = "looseVolume",
+                .label = PROVEOUT_TEXT("Core", "Smallest loose piece"),
+                .unit = "mm³",
+                .help = PROVEOUT_TEXT("Core", "Smaller pieces that come loose count as chips."),
+                .minimum = 0,
+                .maximum = 1e9,
+                .step = 1});
+    visit(limits.fixtureClearance,
+          Field{.key = "fixtureClearance",
+                .label = PROVEOUT_TEXT("Core", "Clearance of fixtures"),
+                .unit = "mm",
+                .help = PROVEOUT_TEXT(
+                    "Core", "A tool that comes nearer to a fixture is reported, across and upwards."),
+                .minimum = 0,
+                .maximum = 1000,
+                .step = 0.5});
+    visit(limits.tapFeedError,
+          Field{.key = "tapFeedError",
+                .label = PROVEOUT_TEXT("Core", "Feed of taps"),
+                .unit = "%",
+                .help = PROVEOUT_TEXT("Core", "How far the feed of a tap may be from its pitch."),
+                .minimum = 0,
+                .maximum = 100,
+                .step = 0.5});
+    visit(limits.rapidClearance,
+          Field{.key = "rapidClearance",
+                .label = PROVEOUT_TEXT("Core", "Clearance of rapids"),
+                .unit = "mm",
+                .help = PROVEOUT_TEXT(
+                    "Core", "Rapids that pass less than this above the stock are reported; 0: none."),
+                .minimum = 0,
+                .maximum = 1000,
+                .step = 0.5});
+}
+
+/// A finding that a person answers for, so that it does not count in the verdict. It names what was found: if
+/// block, size or tool change, the finding counts again. Value type.
+struct Waiver {
+    std::string finding = {};       ///< id
+    int tool = 0;                   ///< of its blocks
+    std::size_t count = 1;          ///< of blocks, of all findings that say the same
+    std::string values = {};        ///< the values of its sentence
+    std::optional<Vec3> place = {}; ///< program coordinates; none: it has no place
+    std::string reason = {};
+    std::string owner = {}; ///< who answers for it
+
+    friend bool operator==(const Waiver&, const Waiver&) = default;
+};
+
+/// Ids, each with the reason why, which may be empty.
+using IdsWithReasons = std::map<std::string, std::string>;
+
+/// "full-slot:T3"
+[[nodiscard]] inline std::string ruleForTool(std::string_view rule, int tool) {
+    return std::string(rule) + ":T" + std::to_string(tool);
+}
+/// The rule of an id of CheckRules::off.
+[[nodiscard]] constexpr std::string_view ruleOf(std::string_view off) {
+    return off.substr(0, off.find(':'));
+}
+
+/// Value type; read by several threads at once.
+struct CheckRules {
+    RuleLimits limits = {};
+    IdsWithReasons off = {};      ///< rules: "full-slot"; for one tool: "full-slot:T3"
+    IdsWithReasons accepted = {}; ///< entries of notCheckedRows()
+    std::vector<Waiver> waivers = {};
+
+    /// Whether the rule is turned off for this tool; 0: a finding that concerns no tool.
+    [[nodiscard]] bool isOff(std::string_view rule, int tool = 0) const {
+        return !off.empty() && (off.contains(std::string(rule)) || off.contains(ruleForTool(rule, tool)));
+    }
+
+    friend bool operator==(const CheckRules&, const CheckRules&) = default;
+};
+
+} // namespace proveout
