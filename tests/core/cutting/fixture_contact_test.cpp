@@ -70,6 +70,18 @@ double sampledDepth(const Sizes& tool, const Motion& motion, const Fixture& fixt
     return deepest;
 }
 
+/// The depth while the tool is wider by `wider` and its tip is at `tip`.
+double depthAt(const Sizes& tool, const Vec3& tip, const Fixture& fixture, double wider) {
+    const double away = distanceTo(fixture, tip.x, tip.y);
+    constexpr int kFine = 20000;
+    for (int k = 0; k <= kFine; ++k) {
+        const double z = (tool.stickOut + 0.1) * k / kFine;
+        if (tool.radiusAt(z) + wider >= away)
+            return topOf(fixture) - tip.z - z;
+    }
+    return 0;
+}
+
 class RandomCase {
 public:
     explicit RandomCase(std::uint_fast32_t seed) : m_random(seed) {}
@@ -134,6 +146,9 @@ TEST(FixtureContact, IsBetweenSamplesAndSamplesOfAWiderTool) {
         const double apart = std::max(pathLength(motion) / kMoments, (sizes.stickOut + 0.1) / kHeights);
         EXPECT_GE(depth, sampledDepth(sizes, motion, fixture, 0) - kFixtureExact);
         EXPECT_LE(depth, sampledDepth(sizes, motion, fixture, apart) + kFixtureExact);
+        if (found) { // it has this depth where its tip is, except where its surface is steep
+            EXPECT_GE(depthAt(sizes, found->tip, fixture, 1e-3), depth - 5e-3);
+        }
     }
     EXPECT_GT(contacts, roundsOf(10000) / 8);
 }
@@ -153,6 +168,7 @@ TEST(FixtureContact, OfAToolAlongAJawIsExact) {
     const auto beside = fixtureContact(tool, line({-60, -4.99, 0}, {60, -4.99, 0}), jaw);
     ASSERT_TRUE(beside);
     EXPECT_NEAR(beside->depth, 5, 1e-3);
+    EXPECT_LE(std::abs(beside->tip.x), 55) << "at the jaw";
     EXPECT_FALSE(fixtureContact(tool, line({-60, -21, -26}, {60, -21, -26}), jaw));
     const auto holder = fixtureContact(tool, line({-60, -19, -26}, {60, -19, -26}), jaw);
     ASSERT_TRUE(holder);
