@@ -19,14 +19,14 @@ struct OutlineEdge {
     glm::dvec2 to;
     glm::dvec2 normalFrom;
     glm::dvec2 normalTo;
-    float part;
+    ToolPart part;
 };
 
 class Outline {
 public:
     [[nodiscard]] const std::vector<OutlineEdge>& edges() const { return m_edges; }
 
-    void line(glm::dvec2 to, float part) {
+    void line(glm::dvec2 to, ToolPart part) {
         const glm::dvec2 along = to - m_at;
         if (const double length = std::hypot(along.x, along.y); length > 1e-9) {
             const glm::dvec2 normal = glm::dvec2(along.y, -along.x) / length;
@@ -40,9 +40,9 @@ public:
     void piece(const ProfilePiece& piece, bool inwards) {
         const glm::dvec2 inner(piece.r0, piece.z0);
         const glm::dvec2 outer(piece.r1, piece.z1);
-        line(inwards ? outer : inner, 0);
+        line(inwards ? outer : inner, ToolPart::flutes);
         if (piece.kind == PieceKind::line)
-            line(inwards ? inner : outer, 0);
+            line(inwards ? inner : outer, ToolPart::flutes);
         else
             arc(piece, inwards);
         m_at = inwards ? inner : outer;
@@ -66,7 +66,8 @@ private:
         for (int step = 0; step < kArcSteps; ++step) {
             const glm::dvec2 a = direction(step);
             const glm::dvec2 b = direction(step + 1);
-            m_edges.push_back({centre + piece.radius * a, centre + piece.radius * b, side * a, side * b, 0});
+            m_edges.push_back(
+                {centre + piece.radius * a, centre + piece.radius * b, side * a, side * b, ToolPart::flutes});
         }
     }
 
@@ -74,31 +75,57 @@ private:
     std::vector<OutlineEdge> m_edges;
 };
 
-Outline outline(const Cutter& cutter) {
-    Outline outline;
+/// The flutes and what connects them with the shank; returns where they end.
+double addFlutes(Outline& outline, const Cutter& cutter) {
     for (const ProfilePiece& piece : cutter.pieces())
         outline.piece(piece, false);
-    const double flutesEnd = std::max(cutter.fluteLength(), cutter.profileHeight());
+    const double end = std::max(cutter.fluteLength(), cutter.profileHeight());
+    // The flutes may reach into the holder.
+    const double shown = cutter.body().holder.empty() ? end : std::min(end, cutter.body().stickOut);
     if (const auto& head = cutter.head()) {
         for (std::size_t k = head->back.size(); k > 0; --k)
             outline.piece(head->back[k - 1], true);
-        outline.line({head->neckRadius, flutesEnd}, 1);
+        outline.line({head->neckRadius, shown}, ToolPart::shank);
     } else {
-        outline.line({cutter.radius(), flutesEnd}, 0);
+        outline.line({cutter.radius(), shown}, ToolPart::flutes);
     }
+    return shown;
+}
+
+void addHolder(Outline& outline, const ToolBody& body) {
+    double height = body.stickOut;
+    for (const HolderSegment& segment : body.holder) {
+        outline.line({segment.lowerRadius, height}, ToolPart::holder);
+        height += segment.height;
+        outline.line({segment.upperRadius, height}, ToolPart::holder);
+    }
+    outline.line({0, height}, ToolPart::holder);
+}
+
+Outline outline(const Cutter& cutter) {
+    Outline outline;
+    const ToolBody& body = cutter.body();
+    const double flutesEnd = addFlutes(outline, cutter);
     const double shank = cutter.shankRadius() > 0 ? cutter.shankRadius() : cutter.radius();
     const double length = cutter.shankLength() > 0 ? cutter.shankLength() : flutesEnd;
-    outline.line({shank, flutesEnd}, 1);
-    outline.line({shank, flutesEnd + length}, 1);
-    outline.line({0, flutesEnd + length}, 1);
+    const double shankEnd = body.holder.empty() ? flutesEnd + length : body.stickOut;
+    if (shankEnd > flutesEnd)
+        outline.line({shank, flutesEnd}, ToolPart::shank);
+    outline.line({shank, shankEnd}, ToolPart::shank);
+    if (body.holder.empty())
+        outline.line({0, shankEnd}, ToolPart::shank);
+    else
+        addHolder(outline, body);
     return outline;
 }
 
-CutterVertex revolved(glm::dvec2 point, glm::dvec2 normal, int sector, float part) {
+CutterVertex revolved(glm::dvec2 point, glm::dvec2 normal, int sector, ToolPart part) {
     const double angle = 2 * std::numbers::pi * (sector % kSectors) / kSectors;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    return {{point.x * c, point.x * s, point.y}, {normal.x * c, normal.x * s, normal.y}, part};
+    return {{point.x * c, point.x * s, point.y},
+            {normal.x * c, normal.x * s, normal.y},
+            static_cast<float>(part)};
 }
 
 } // namespace
@@ -118,6 +145,16 @@ std::vector<CutterVertex> cutterMesh(const Cutter& cutter) {
                 vertices.insert(vertices.end(), {a, c, d});
         }
     return vertices;
+}
+
+CutterExtent cutterExtent(const Cutter& cutter) {
+    CutterExtent extent;
+    const Outline profile = outline(cutter);
+    for (const OutlineEdge& edge : profile.edges()) {
+        extent.radius = std::max({extent.radius, edge.from.x, edge.to.x});
+        extent.height = std::max({extent.height, edge.from.y, edge.to.y});
+    }
+    return extent;
 }
 
 } // namespace proveout

@@ -16,16 +16,20 @@ void CutterRenderer::setCutter(Gl& gl, const Cutter* cutter) {
 }
 
 void CutterRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& options, const glm::vec3& tip) {
-    if (!m_present || options.cutter == CutterShown::hidden)
+    if (!m_present || (options.cutter == CutterShown::hidden && !options.contact))
         return;
     const bool seeThrough = options.cutter == CutterShown::seeThrough;
     m_program.bind(gl);
     setView(gl, m_program, view);
-    m_program.set(gl, "tip", tip);
+    m_program.set(gl, "shift", tip);
     m_program.set(gl, "radius", m_radius);
     m_program.set(gl, "opacity", seeThrough ? 0.45f : 1.0f);
     m_program.set(gl, "fluteAlbedo", options.colours.flute);
     m_program.set(gl, "shankAlbedo", options.colours.shank);
+    m_program.set(gl, "holderAlbedo", options.colours.holder);
+    const bool hit = options.contact && options.contact->part;
+    m_program.set(gl, "hitPart", hit ? static_cast<float>(*options.contact->part) : -1.0f);
+    m_program.set(gl, "hitAlbedo", options.colours.hit);
     if (seeThrough) {
         gl.glEnable(GL_BLEND);
         // Keeps the alpha at 1, because the window system blends a QOpenGLWidget by its alpha.

@@ -13,7 +13,7 @@ namespace proveout {
 /// Draws a cutter to scale. All methods need the same context to be current.
 class CutterRenderer {
 public:
-    CutterRenderer() : m_program({{"cutter.vert"}, nullptr, {"lighting.glsl", "cutter.frag"}, {}}) {}
+    CutterRenderer() : m_program({{"solid.vert"}, nullptr, {"lighting.glsl", "cutter.frag"}, {}}) {}
 
     [[nodiscard]] bool valid() const { return m_program.valid(); }
     /// nullptr: draws no cutter.

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include <glm/glm.hpp>
+
+#include "core/base/geometry.h"
+#include "core/cutter/tool_part.h"
 
 namespace proveout {
 
@@ -20,6 +25,9 @@ struct SceneColours {
     glm::vec3 regionLine{0.02f, 0.20f, 0.42f};
     glm::vec3 flute{0.93f, 0.72f, 0.34f};
     glm::vec3 shank{0.72f, 0.74f, 0.77f};
+    glm::vec3 holder{0.30f, 0.35f, 0.43f};
+    glm::vec3 fixture{0.50f, 0.42f, 0.68f};
+    glm::vec3 hit{1.0f, 0.20f, 0.15f}; ///< parts of the tool, or a fixture, that touch what they must not
     /// Orange and blue of Okabe and Ito, which are distinguishable with every common colour blindness and in
     /// grey.
     glm::vec3 dirty{1.0f, 0.62f, 0.05f};
@@ -50,6 +58,15 @@ struct SceneColours {
     return colours;
 }
 
+/// A moment in which the tool touches what it must not. Value type.
+struct ContactShown {
+    Vec3 tip{0};                       ///< of the cutter, program coordinates
+    std::optional<ToolPart> part = {}; ///< of the tool, drawn as hit
+    std::string fixture = {};          ///< drawn as hit; empty: none
+
+    friend bool operator==(const ContactShown&, const ContactShown&) = default;
+};
+
 /// Which parts of a scene are drawn, and how. Value type.
 struct SceneOptions {
     bool wireframe = false; ///< triangles and region borders
@@ -58,6 +75,8 @@ struct SceneOptions {
     bool pathThroughStock = true; ///< shows the part of the path that the stock hides, dimmed; no effect if
                                   ///< `path` is none
     CutterShown cutter = CutterShown::solid;
+    bool fixtures = true;
+    std::optional<ContactShown> contact = {}; ///< the cutter is drawn there, even if it is hidden otherwise
     SceneColours colours = lightColours();
 };
 

@@ -18,6 +18,12 @@ glm::vec4 cutOut(const FramePtr& box, const Grid& around) {
             open.north ? kBeyond : grid.y(grid.ny - 1) - around.y0};
 }
 
+/// Of the stock coordinates.
+Vec3 originOf(const Frame& frame) {
+    const Grid& grid = frame.zmap.grid();
+    return {grid.x0, grid.y0, frame.zmap.stock().floorZ()};
+}
+
 } // namespace
 
 std::unique_ptr<SceneRenderer> SceneRenderer::create(int mostTexturePoints) {
@@ -26,8 +32,9 @@ std::unique_ptr<SceneRenderer> SceneRenderer::create(int mostTexturePoints) {
         return nullptr;
     std::unique_ptr<SceneRenderer> renderer(new SceneRenderer(*gl, mostTexturePoints));
     const bool valid = renderer->m_backdrop.valid() && renderer->m_surface.valid() &&
-                       renderer->m_cutter.valid() && renderer->m_path.valid() &&
-                       renderer->m_boxSurface.valid() && renderer->m_boxFrame.valid();
+                       renderer->m_fixtures.valid() && renderer->m_cutter.valid() &&
+                       renderer->m_path.valid() && renderer->m_boxSurface.valid() &&
+                       renderer->m_boxFrame.valid();
     return valid ? std::move(renderer) : nullptr;
 }
 
@@ -51,6 +58,7 @@ UploadCounts SceneRenderer::upload(const FramePtr& newest, const UploadBudget& b
     m_path.setPosition(frame->program, frame->block);
     m_cutter.setCutter(m_gl,
                        frame->cutterKnown && frame->setup ? frame->setup->tools.find(frame->tool) : nullptr);
+    m_fixtures.setFixtures(m_gl, frame->setup ? frame->setup->fixtures : Fixtures(), originOf(*frame));
     m_gridFits = m_surface.fits(m_gl, frame->zmap.grid());
     if (!m_gridFits || frame->zmap.tileCount() == 0)
         return {};
@@ -163,7 +171,7 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
         m_gl.glDepthFunc(GL_LESS);
         m_gl.glEnable(GL_CULL_FACE);
         const Grid& grid = m_frame->zmap.grid();
-        const Vec3 origin(grid.x0, grid.y0, m_frame->zmap.stock().floorZ());
+        const Vec3 origin = originOf(*m_frame);
         const StockView stockView(view, origin);
         if (m_gridFits && m_frame->zmap.tileCount() > 0) {
             m_surface.setCutOut(cutOut(m_box, grid));
@@ -172,10 +180,12 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
         if (m_box != nullptr)
             drawBox(view, options, stockView, origin);
         m_gl.glBindVertexArray(0);
+        m_fixtures.draw(m_gl, stockView, options);
         m_path.draw(m_gl, stockView, options, origin);
         if (options.pathThroughStock)
             m_path.drawHidden(m_gl, stockView, options, origin);
-        m_cutter.draw(m_gl, stockView, options, glm::vec3(m_frame->cutterPosition - origin));
+        const Vec3 tip = options.contact ? options.contact->tip : m_frame->cutterPosition;
+        m_cutter.draw(m_gl, stockView, options, glm::vec3(tip - origin));
         m_gl.glDisable(GL_CULL_FACE);
         m_gl.glDisable(GL_DEPTH_TEST);
     }
@@ -214,6 +224,7 @@ void SceneRenderer::release() {
     m_stale = true;
     m_surface.release(m_gl);
     freeBox();
+    m_fixtures.release(m_gl);
     m_cutter.release(m_gl);
     m_path.release(m_gl);
     if (m_emptyArray != 0)

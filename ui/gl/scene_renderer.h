@@ -8,6 +8,7 @@
 
 #include "ui/gl/box_frame.h"
 #include "ui/gl/cutter_renderer.h"
+#include "ui/gl/fixture_renderer.h"
 #include "ui/gl/path_renderer.h"
 #include "ui/gl/surface_renderer.h"
 
@@ -82,6 +83,7 @@ private:
     Gl& m_gl;
     ShaderProgram m_backdrop;
     SurfaceRenderer m_surface;
+    FixtureRenderer m_fixtures;
     CutterRenderer m_cutter;
     PathRenderer m_path;
     GLuint m_emptyArray = 0; ///< for vertices that the shader computes from their index alone

@@ -50,6 +50,8 @@ std::vector<Entry> entries(const SceneOptions& options, const LegendFigures& fig
         rows.push_back({Mark::line, colour(colours.feed), text(QT_TRANSLATE_NOOP("Viewport", "Feed"))});
         rows.push_back({Mark::line, colour(colours.arc), text(QT_TRANSLATE_NOOP("Viewport", "Arc"))});
     }
+    if (options.fixtures && figures.fixtures)
+        rows.push_back({Mark::area, colour(colours.fixture), text(QT_TRANSLATE_NOOP("Viewport", "Fixture"))});
     if (options.tint) {
         rows.push_back({Mark::area, colour(colours.dirty),
                         text(QT_TRANSLATE_NOOP("Viewport", "Drawn from the z-map: %1 regions"))

@@ -20,6 +20,7 @@ struct LegendFigures {
     std::size_t facesFull = 0;
     std::size_t regions = 0;
     std::size_t dirtyRegions = 0;
+    bool fixtures = false; ///< there are some
 };
 
 /// The three axes as arrows with letters in the lower left corner of `area`.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/gl/cutter_mesh.h"
+#include "ui/gl/fixture_mesh.h"
 #include "ui/viewport/surface_pick.h"
 
 namespace proveout {
@@ -24,20 +26,27 @@ Box3 stockBounds(const Frame& frame) {
     return box;
 }
 
+Box3 workBounds(const Frame& frame, const SceneOptions& options) {
+    Box3 box = stockBounds(frame);
+    if (options.fixtures && frame.setup)
+        for (const auto& named : frame.setup->fixtures)
+            box.add(boundsOf(named.second));
+    return box;
+}
+
 Box3 sceneBounds(const Frame* frame, const SceneOptions& options) {
     if (frame == nullptr)
         return {};
-    Box3 box = stockBounds(*frame);
+    Box3 box = workBounds(*frame, options);
     if (frame->program != nullptr && options.path != PathShown::none)
         box.add(frame->program->bounds());
     const Cutter* cutter =
         frame->cutterKnown && frame->setup ? frame->setup->tools.find(frame->tool) : nullptr;
     if (cutter != nullptr) {
-        const double radius = std::max(cutter->radius(), cutter->shankRadius());
-        const double length =
-            2 * std::max(cutter->fluteLength(), cutter->rimHeight()) + cutter->shankLength();
-        box.add(frame->cutterPosition - Vec3(radius, radius, 0));
-        box.add(frame->cutterPosition + Vec3(radius, radius, length));
+        const Vec3& tip = options.contact ? options.contact->tip : frame->cutterPosition;
+        const CutterExtent extent = cutterExtent(*cutter);
+        box.add(tip - Vec3(extent.radius, extent.radius, 0));
+        box.add(tip + Vec3(extent.radius, extent.radius, extent.height));
     }
     return box;
 }

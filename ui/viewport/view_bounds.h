@@ -11,7 +11,9 @@ namespace proveout {
 
 /// The uncut stock of a frame.
 [[nodiscard]] Box3 stockBounds(const Frame& frame);
-/// Stock, cutter and the toolpath if `options` show it; empty if `frame` is null.
+/// What is fitted into the view: the stock, and the fixtures if `options` show them.
+[[nodiscard]] Box3 workBounds(const Frame& frame, const SceneOptions& options);
+/// The same, the cutter, and the toolpath if `options` show it; empty if `frame` is null.
 [[nodiscard]] Box3 sceneBounds(const Frame* frame, const SceneOptions& options);
 
 /// Limits zooming in to a few cells of the grid, and zooming out to a minimum size of the stock. `closer` is

@@ -61,7 +61,8 @@ void paintOverlay(QPainter& painter, const QRect& area, const View& view, const 
     const SurfaceSnapshot& surface = content.frame->surface;
     if (content.legend)
         paintLegend(painter, area, content.options,
-                    {surface.faces, surface.facesFull, surface.meshes.size(), surface.dirtyRegions},
+                    {surface.faces, surface.facesFull, surface.meshes.size(), surface.dirtyRegions,
+                     content.frame->setup && !content.frame->setup->fixtures.empty()},
                     content.palette);
 }
 

@@ -145,7 +145,7 @@ void Viewport::setPerspective(bool perspective) {
 void Viewport::fit() {
     setPicture();
     if (hasStock())
-        m_camera.fit(stockBounds(*m_frame));
+        m_camera.fit(workBounds(*m_frame, m_options));
     else if (m_session.program().current() != nullptr)
         m_camera.fit(m_session.program().current()->bounds());
     m_fits = true;

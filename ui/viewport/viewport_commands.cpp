@@ -34,9 +34,9 @@ void choose(Viewport& viewport) {
 
 constexpr auto kFocus = Reach::focus;
 
-const std::array<Command<Viewport>, 25> kCommands{{
+const std::array<Command<Viewport>, 26> kCommands{{
     {"view-fit", QT_TRANSLATE_NOOP("ViewportCommands", "&Fit"),
-     QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock"), "fit", "F", kFocus,
+     QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock and its fixtures"), "fit", "F", kFocus,
      [](Viewport& viewport) { viewport.fit(); }},
     {"view-iso", QT_TRANSLATE_NOOP("ViewportCommands", "&Isometric"),
      QT_TRANSLATE_NOOP("ViewportCommands", "View from the right, front and top"), "iso", "0", kFocus,
@@ -64,6 +64,9 @@ const std::array<Command<Viewport>, 25> kCommands{{
     {"view-tint", QT_TRANSLATE_NOOP("ViewportCommands", "Tint R&egions"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Colour decimated and undecimated regions differently"), "tint",
      "T", kFocus, toggle<&SceneOptions::tint>},
+    {"view-fixtures", QT_TRANSLATE_NOOP("ViewportCommands", "Fi&xtures"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Draw what holds the stock"), "", "", kFocus,
+     toggle<&SceneOptions::fixtures>},
     {"view-legend", QT_TRANSLATE_NOOP("ViewportCommands", "Lege&nd"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show what the colours and lines mean"), "legend", "L", kFocus,
      [](Viewport& viewport) { viewport.setLegendShown(!viewport.legendShown()); }},
@@ -112,10 +115,11 @@ bool has(const Viewport& viewport) {
     return viewport.options().*Member == Value;
 }
 
-const std::array<Switch, 12> kSwitches{{
+const std::array<Switch, 13> kSwitches{{
     {"view-perspective", [](const Viewport& viewport) { return viewport.camera().perspective(); }},
     {"view-wireframe", has<&SceneOptions::wireframe, true>},
     {"view-tint", has<&SceneOptions::tint, true>},
+    {"view-fixtures", has<&SceneOptions::fixtures, true>},
     {"view-legend", [](const Viewport& viewport) { return viewport.legendShown(); }},
     {"view-place", [](const Viewport& viewport) { return viewport.placeLabelShown(); }},
     {"look-closer", [](const Viewport& viewport) { return viewport.looksCloser(); }},

@@ -50,12 +50,20 @@ void FrameBuilder::setProgram(std::shared_ptr<const Program> program, std::size_
 }
 
 void FrameBuilder::setCutter(const Cutter& cutter, const Vec3& tip) {
-    auto setup = std::make_shared<Setup>();
-    setup->tools.set(1, cutter);
-    m_frame.setup = setup;
+    changedSetup()->tools.set(1, cutter);
     m_frame.tool = 1;
     m_frame.cutterKnown = true;
     m_frame.cutterPosition = tip;
+}
+
+void FrameBuilder::setFixtures(const Fixtures& fixtures) {
+    changedSetup()->fixtures = fixtures;
+}
+
+std::shared_ptr<Setup> FrameBuilder::changedSetup() {
+    auto setup = std::make_shared<Setup>(m_frame.setup ? *m_frame.setup : Setup());
+    m_frame.setup = setup;
+    return setup;
 }
 
 } // namespace proveout

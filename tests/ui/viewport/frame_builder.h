@@ -22,8 +22,12 @@ public:
     [[nodiscard]] FramePtr frame();
     void setProgram(std::shared_ptr<const Program> program, std::size_t block);
     void setCutter(const Cutter& cutter, const Vec3& tip);
+    void setFixtures(const Fixtures& fixtures);
 
 private:
+    /// The setup of the frames, for a change.
+    [[nodiscard]] std::shared_ptr<Setup> changedSetup();
+
     Frame m_frame;
     ZMap m_zmap;
     Surface m_surface;

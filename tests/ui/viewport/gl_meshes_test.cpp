@@ -15,6 +15,7 @@
 #include "tests/core/cutter/default_spec.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "ui/gl/cutter_mesh.h"
+#include "ui/gl/fixture_mesh.h"
 #include "ui/gl/path_lines.h"
 #include "ui/gl/path_overview.h"
 #include "ui/gl/slot_allocator.h"
@@ -29,6 +30,7 @@ private slots:
     void slotsNeverOverlap();
     void cutterIsClosedAndToScale_data();
     void cutterIsClosedAndToScale();
+    void fixturesAreClosedAndToScale();
     void wallsCloseTheSurface();
     void wallsCloseMergedRegions();
     void pathFollowsTheMotions();
@@ -64,9 +66,11 @@ void GlMeshesTest::slotsNeverOverlap() {
 
 void GlMeshesTest::cutterIsClosedAndToScale_data() {
     QTest::addColumn<QString>("spec");
-    for (const char* spec : {"ball:d=11,l=50", "flat:d=6,l=20", "bull:d=10,r=2,l=30",
-                             "cone:d=12,angle=90,l=25", "tslot:d=20,w=6,neck=9,r=1",
-                             "dovetail:d=20,angle=60,h=6,neck=8,r=0.5", "form:p=0/0:3/0:3/1:6/4@-3"})
+    for (const char* spec :
+         {"ball:d=11,l=50", "flat:d=6,l=20", "bull:d=10,r=2,l=30", "cone:d=12,angle=90,l=25",
+          "tslot:d=20,w=6,neck=9,r=1", "dovetail:d=20,angle=60,h=6,neck=8,r=0.5", "form:p=0/0:3/0:3/1:6/4@-3",
+          "flat:d=12,l=20,sd=8,so=40,holder=30x20+30-50x30+20x10", "flat:d=12,l=20,so=10,holder=30x20",
+          "tslot:d=20,w=6,neck=9,so=30,holder=40x20"})
         QTest::newRow(spec) << QString::fromLatin1(spec);
     for (const CutterShape& shape : cutterShapes())
         QTest::newRow(shape.key) << QString::fromStdString(defaultSpecOf(shape));
@@ -105,6 +109,12 @@ void GlMeshesTest::cutterIsClosedAndToScale() {
     for (const auto& [edge, count] : edges)
         QCOMPARE(edges[std::pair(edge.second, edge.first)], count);
     QVERIFY(volume > 0); // the triangles face outwards
+    const CutterExtent extent = cutterExtent(cutter);
+    float highest = 0;
+    for (const CutterVertex& vertex : mesh)
+        highest = std::max(highest, vertex.position.z);
+    QCOMPARE(highest, static_cast<float>(extent.height));
+    QVERIFY(extent.radius >= cutter.radius());
     // The fluted part is on the profile.
     for (const CutterVertex& vertex : mesh) {
         const double r = std::hypot(vertex.position.x, vertex.position.y);
@@ -112,6 +122,48 @@ void GlMeshesTest::cutterIsClosedAndToScale() {
             QVERIFY(distanceFromProfile(cutter, r, static_cast<double>(vertex.position.z)) < 1e-3);
         QVERIFY(vertex.part > 0.5f || r <= cutter.radius() * 1.0001);
     }
+}
+
+/// The volume of a closed mesh; 0 if it is open.
+template<class Vertex>
+static double volumeOf(const std::vector<Vertex>& mesh) {
+    using Point = std::array<long, 3>;
+    const auto rounded = [](const glm::vec3& p) {
+        return Point{std::lround(p.x * 1e4), std::lround(p.y * 1e4), std::lround(p.z * 1e4)};
+    };
+    std::map<std::pair<Point, Point>, int> edges;
+    double volume = 0;
+    for (std::size_t k = 0; k < mesh.size(); k += 3) {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            ++edges[{rounded(mesh[k + corner].position), rounded(mesh[k + (corner + 1) % 3].position)}];
+        volume += glm::dot(glm::dvec3(mesh[k].position),
+                           glm::cross(glm::dvec3(mesh[k + 1].position), glm::dvec3(mesh[k + 2].position))) /
+                  6;
+    }
+    for (const auto& [edge, count] : edges)
+        if (edges[std::pair(edge.second, edge.first)] != count)
+            return 0;
+    return volume;
+}
+
+void GlMeshesTest::fixturesAreClosedAndToScale() {
+    const Vec3 origin(1000, -500, 20);
+    const std::vector<SolidVertex> box = fixtureMesh({{"a", FixtureBox{1003, -490, 15, 20, 30, 40}}}, origin);
+    QVERIFY(std::abs(volumeOf(box) - 20.0 * 30 * 40) < 0.1);
+    Box3 extent;
+    for (const SolidVertex& vertex : box)
+        extent.add(Vec3(vertex.position));
+    QVERIFY(extent.lo == Vec3(3, 10, -5) && extent.hi == Vec3(23, 40, 35));
+    const double round = volumeOf(fixtureMesh({{"a", FixtureCylinder{1000, -500, 20, 20, 40}}}, origin));
+    QVERIFY(std::abs(round / (100 * std::numbers::pi * 40) - 1) < 0.005);
+    // Each fixture has its number, in the order of the names; the normals face outwards.
+    const Fixtures two{{"b", FixtureBox{0, 0, 0, 1, 1, 1}}, {"a", FixtureCylinder{5, 5, 0, 2, 3}}};
+    for (const SolidVertex& vertex : fixtureMesh(two, Vec3(0))) {
+        const glm::vec3 middle = vertex.part < 0.5f ? glm::vec3(5, 5, 1.5) : glm::vec3(0.5);
+        QVERIFY(glm::dot(vertex.position - middle, vertex.normal) > 0);
+    }
+    const Box3 around = boundsOf(two.at("a"));
+    QVERIFY(around.lo == Vec3(4, 4, 0) && around.hi == Vec3(6, 6, 3));
 }
 
 /// Checks top, walls and underside together: every edge has an opposite edge.

@@ -14,6 +14,7 @@
 #include "tests/ui/viewport/frame_builder.h"
 #include "tests/ui/viewport/offscreen_picture.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/view_bounds.h"
 
 using namespace proveout;
 
@@ -27,6 +28,21 @@ Box3 stockBox() {
     box.add(Vec3(0, 0, -20));
     box.add(Vec3(100, 70, 0));
     return box;
+}
+
+/// Violet, as fixtures are in any light.
+bool isFixture(QRgb pixel) {
+    return qBlue(pixel) < 250 && qBlue(pixel) - qGreen(pixel) > 20 && qBlue(pixel) - qRed(pixel) > 10;
+}
+
+bool isHit(QRgb pixel) {
+    return qRed(pixel) - qGreen(pixel) > 60 && qRed(pixel) - qBlue(pixel) > 60;
+}
+
+bool isGrey(QRgb pixel) {
+    return std::max({qRed(pixel), qGreen(pixel), qBlue(pixel)}) -
+               std::min({qRed(pixel), qGreen(pixel), qBlue(pixel)}) <
+           25;
 }
 
 bool isBackdrop(QRgb pixel) {
@@ -108,6 +124,9 @@ private slots:
     void slotIsCutAway();
     void holesShowWhatIsBehind();
     void cutterIsDrawnToScale();
+    void holderAndShankHaveTheirColours();
+    void fixturesAreSolidsBesideTheStock();
+    void whatIsHitIsRed();
     void pathHasTheColourOfItsMotion();
     void hiddenPathIsSeenThroughTheStock();
     void tintDistinguishesDirtyFromDecimated();
@@ -232,6 +251,101 @@ void SceneRendererTest::cutterIsDrawnToScale() {
     hidden.cutter = CutterShown::hidden;
     QVERIFY(isBackdrop(m_picture->draw(builder.frame(), camera.view(scene), hidden)
                            .pixel(static_cast<int>(camera.project({50, 35, 10}).x), row)));
+}
+
+void SceneRendererTest::holderAndShankHaveTheirColours() {
+    FrameBuilder builder(kStock, 1);
+    builder.setCutter(parseCutter("flat:d=12,l=20,sd=8,so=40,holder=30x20+50x30").value(), {50, 35, 2});
+    Box3 scene = stockBox();
+    scene.add(Vec3(50, 35, 100));
+    Camera camera = cameraAt(StandardView::front, false);
+    camera.fit(scene);
+    const QImage picture = m_picture->draw(builder.frame(), camera.view(scene), testOptions());
+    const auto widthAt = [&](double z) {
+        const int row = static_cast<int>(camera.project({50, 35, z}).y);
+        int width = 0;
+        for (int x = 0; x < picture.width(); ++x)
+            width += isBackdrop(picture.pixel(x, row)) ? 0 : 1;
+        return width / camera.view(scene).pixelsPerMm;
+    };
+    QVERIFY(std::abs(widthAt(10) - 12) < 1);
+    QVERIFY(std::abs(widthAt(30) - 8) < 1);
+    QVERIFY(std::abs(widthAt(50) - 30) < 1);
+    QVERIFY(std::abs(widthAt(75) - 50) < 1);
+    QVERIFY(std::abs(widthAt(91) - 50) < 1);
+    QVERIFY(widthAt(94) < 1);
+    const QRgb shank = pixelAt(picture, camera, {50, 35, 30});
+    const QRgb holder = pixelAt(picture, camera, {50, 35, 60});
+    QVERIFY2(qGray(shank) - qGray(holder) > 40, qPrintable(QString::number(qGray(shank) - qGray(holder))));
+}
+
+void SceneRendererTest::fixturesAreSolidsBesideTheStock() {
+    FrameBuilder builder(kStock, 1);
+    builder.cutAll([](double x, double) { return std::abs(x - 50) < 8 ? -12.0 : 0.0; });
+    builder.setFixtures({{"jaw", FixtureBox{-30, 0, -20, 25, 70, 30}},
+                         {"pin", FixtureCylinder{50, 100, -20, 20, 16}},
+                         {"clamp", FixtureBox{80, 10, 0, 40, 10, 8}}});
+    const FramePtr frame = builder.frame();
+    SceneOptions options = testOptions();
+    const Box3 work = workBounds(*frame, options);
+    QVERIFY(work.lo == Vec3(-30, 0, -20) && work.hi == Vec3(120, 110, 10));
+    const Camera above = cameraFitted(work, StandardView::top, false, 640, 480);
+    const QImage fromAbove = m_picture->draw(frame, above.view(work), options);
+    QVERIFY(isFixture(pixelAt(fromAbove, above, {-15, 35, 10})));
+    QVERIFY(isFixture(pixelAt(fromAbove, above, {90, 15, 8}))); // on the stock
+    QVERIFY(isGrey(pixelAt(fromAbove, above, {90, 40, 0})));
+    QVERIFY(isBackdrop(pixelAt(fromAbove, above, {-2, 35, 0})));
+    QVERIFY(isFixture(pixelAt(fromAbove, above, {50, 109, 0})));  // a circle …
+    QVERIFY(isBackdrop(pixelAt(fromAbove, above, {59, 109, 0}))); // … not a square
+
+    // The stock hides the pin, except through the slot: its top is at -4, the bottom of the slot at -12.
+    const Camera front = cameraFitted(work, StandardView::front, false, 640, 480);
+    const QImage fromFront = m_picture->draw(frame, front.view(work), options);
+    QVERIFY(isFixture(pixelAt(fromFront, front, {50, 0, -8})));
+    QVERIFY(isBackdrop(pixelAt(fromFront, front, {50, 0, -2})));
+    QVERIFY(isGrey(pixelAt(fromFront, front, {50, 0, -15})));
+    QVERIFY(isFixture(pixelAt(fromFront, front, {-15, 0, 5})));
+
+    options.fixtures = false;
+    QVERIFY(workBounds(*frame, options).hi == Vec3(100, 70, 0));
+    const QImage without = m_picture->draw(frame, above.view(work), options);
+    QVERIFY(isBackdrop(pixelAt(without, above, {-15, 35, 10})));
+    QVERIFY(isGrey(pixelAt(without, above, {90, 15, 8})));
+    // Others replace them, also at another place of the stock.
+    builder.setFixtures({{"jaw", FixtureBox{105, 0, -20, 15, 70, 30}}});
+    const QImage other = m_picture->draw(builder.frame(), above.view(work), testOptions());
+    QVERIFY(isBackdrop(pixelAt(other, above, {-15, 35, 10})));
+    QVERIFY(isFixture(pixelAt(other, above, {112, 35, 10})));
+}
+
+void SceneRendererTest::whatIsHitIsRed() {
+    FrameBuilder builder(kStock, 1);
+    builder.setCutter(parseCutter("flat:d=12,l=20,so=40,holder=30x20").value(), {80, 35, 2});
+    builder.setFixtures(
+        {{"jaw", FixtureBox{-30, 0, -20, 25, 70, 30}}, {"clamp", FixtureBox{10, 50, 0, 10, 10, 8}}});
+    const FramePtr frame = builder.frame();
+    Box3 scene = workBounds(*frame, testOptions());
+    scene.add(Vec3(50, 35, 70));
+    const Camera camera = cameraFitted(scene, StandardView::front, false, 640, 480);
+    const auto drawn = [&](const SceneOptions& options) {
+        return m_picture->draw(frame, camera.view(scene), options);
+    };
+    SceneOptions options = testOptions();
+    const QImage before = drawn(options);
+    QVERIFY(!isBackdrop(pixelAt(before, camera, {80, 35, 55})) &&
+            !isHit(pixelAt(before, camera, {80, 35, 55})));
+    options.contact = ContactShown{{40, 35, 2}, ToolPart::holder, "jaw"};
+    options.cutter = CutterShown::hidden; // the contact shows it all the same
+    const QImage picture = drawn(options);
+    QVERIFY(isBackdrop(pixelAt(picture, camera, {80, 35, 55})));
+    QVERIFY(isHit(pixelAt(picture, camera, {40, 35, 55})));
+    QVERIFY(!isHit(pixelAt(picture, camera, {40, 35, 30})));
+    QVERIFY(isHit(pixelAt(picture, camera, {-15, 0, 5})));
+    QVERIFY(isFixture(pixelAt(picture, camera, {15, 50, 4})));
+    options.contact->part = ToolPart::shank;
+    QVERIFY(isHit(pixelAt(drawn(options), camera, {40, 35, 30})));
+    options = testOptions();
+    QCOMPARE(drawn(options), before);
 }
 
 void SceneRendererTest::pathHasTheColourOfItsMotion() {
