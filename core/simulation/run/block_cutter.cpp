@@ -104,13 +104,27 @@ void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const ToolAssembl
         findings.add(block, FindingKind::rapidUnchecked, below);
 }
 
+/// The point of a straight path that is nearest to the middle of what was removed there, in plan; the lower
+/// end of a vertical one.
+Vec3 overRemoved(const Grid& grid, const IndexRect& changed, const Motion& motion) {
+    const Vec2 middle((grid.x(changed.i0) + grid.x(changed.i1 - 1)) / 2,
+                      (grid.y(changed.j0) + grid.y(changed.j1 - 1)) / 2);
+    const Vec2 along(motion.end - motion.start);
+    const double square = glm::dot(along, along);
+    if (square == 0)
+        return motion.end.z < motion.start.z ? motion.end : motion.start;
+    const double t = glm::dot(middle - Vec2(motion.start), along) / square;
+    return pointAt(motion, std::clamp(t, 0.0, 1.0));
+}
+
 /// The findings of a motion that has been cut, in the map of that moment.
 void judge(const ZMap& zmap, const CutRecord& record, const Motion& motion, const Cutter& cutter,
            const ToolAssembly& assembly, bool unconfirmed, std::size_t block, FindingLog& findings) {
     if (motion.kind == MotionKind::rapid && !motion.known())
         judgeUnknownRapid(zmap, cutter, assembly, motion, block, findings);
     if (motion.kind == MotionKind::rapid && record.maxDepth > kNothingRemoved)
-        findings.add(block, FindingKind::rapidCuts, record.maxDepth, unconfirmed);
+        findings.add(block, FindingKind::rapidCuts, record.maxDepth, unconfirmed,
+                     overRemoved(zmap.grid(), record.changed, motion));
     if (cutter.fluteLength() > 0 && record.maxDepth > cutter.fluteLength() + kNothingRemoved)
         findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth, unconfirmed);
 }

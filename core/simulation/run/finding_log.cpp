@@ -26,6 +26,7 @@ struct KindRows {
     const FindingRow* confirmed;
     const FindingRow* unconfirmed;
     const char* unit = "mm"; ///< of its value
+    bool saysPlace = false;  ///< X, Y and Z are in its sentence
 };
 
 /// In the order of FindingKind.
@@ -35,9 +36,9 @@ constexpr std::array kKindRows{
     KindRows{&cutting_finding::kRapidUncheckedStart, nullptr},
     KindRows{&cutting_finding::kRapidUncheckedHeight, nullptr, ""},
     KindRows{&cutting_finding::kNeckInStock, &cutting_finding::kNeckInStockUnconfirmed},
-    KindRows{&cutting_finding::kOverhangLost, nullptr, "mm³"},
-    KindRows{&cutting_finding::kHolderCollision, &cutting_finding::kHolderCollisionUnconfirmed},
-    KindRows{&cutting_finding::kShankCollision, &cutting_finding::kShankCollisionUnconfirmed},
+    KindRows{&cutting_finding::kOverhangLost, nullptr, "mm³", true},
+    KindRows{&cutting_finding::kHolderCollision, &cutting_finding::kHolderCollisionUnconfirmed, "mm", true},
+    KindRows{&cutting_finding::kShankCollision, &cutting_finding::kShankCollisionUnconfirmed, "mm", true},
     KindRows{&cutting_finding::kCorePlunges, &cutting_finding::kCorePlungesUnconfirmed},
 };
 
@@ -140,7 +141,8 @@ std::size_t FindingLog::placeOf(std::uint32_t block, FindingKind kind) const {
 std::vector<Argument> FindingLog::argumentsOf(const Finding& finding, const Program& program,
                                               const ToolChoice& tools) const {
     std::vector<Argument> arguments = {figures("{:.3f}", finding.value)};
-    if (const std::size_t place = placeOf(finding.block, finding.kind); place < m_places.size())
+    const std::size_t place = placeOf(finding.block, finding.kind);
+    if (kKindRows[static_cast<std::size_t>(finding.kind)].saysPlace && place < m_places.size())
         for (int axis = 0; axis < 3; ++axis)
             arguments.push_back(figures("{:.3f}", m_places[place].at[axis]));
     if (finding.unconfirmed && kKindRows[static_cast<std::size_t>(finding.kind)].unconfirmed != nullptr) {
@@ -200,7 +202,7 @@ std::vector<FindingGroup> FindingLog::groups(const Program& program, const ToolC
         };
         auto found = std::ranges::find_if(kept, same);
         if (found == kept.end())
-            found = kept.insert(found, {{{}, finding.block, 0, 0, 0, tool, 0}, &finding});
+            found = kept.insert(found, {{.firstBlock = finding.block, .tool = tool}, &finding});
         found->group.lastBlock = finding.block;
         ++found->group.count;
         if (finding.value > found->worst->value)
@@ -213,6 +215,8 @@ std::vector<FindingGroup> FindingLog::groups(const Program& program, const ToolC
         one.group.worst.where = {static_cast<int>(program.blockLine(one.group.firstBlock)), 1, 0};
         one.group.worstBlock = one.worst->block;
         one.group.value = one.worst->value;
+        if (const std::size_t place = placeOf(one.worst->block, one.worst->kind); place < m_places.size())
+            one.group.place = m_places[place].at;
         one.group.unit = kKindRows[static_cast<std::size_t>(one.worst->kind)].unit;
         groups.push_back(std::move(one.group));
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace proveout {
 
 enum class FindingKind : std::uint8_t {
-    rapidCuts,         ///< a rapid removed material; value: depth, mm
+    rapidCuts, ///< a rapid removed material; value: depth, mm, and the place of the tip over the middle of it
     depthBeyondFlutes, ///< more height removed at once than the length of the flutes; value: depth, mm
     rapidUnchecked,    ///< a rapid from an unknown position ends in the stock; value: depth below its top, mm
     rapidAtUnknownHeight, ///< a rapid passes over the stock at an unknown height; no value
@@ -35,8 +36,9 @@ struct FindingGroup {
     std::size_t worstBlock = 0;
     std::size_t count = 0; ///< of blocks
     int tool = 0;
-    double value = 0;      ///< the largest
-    const char* unit = ""; ///< empty: it has no value
+    double value = 0;               ///< the largest
+    const char* unit = "";          ///< empty: it has no value
+    std::optional<Vec3> place = {}; ///< of the worst, for kinds that have one
 };
 
 /// The findings of the simulation, block by block. Line numbers are read from the program when the sentences

@@ -185,12 +185,13 @@ private:
                 continue;
             add(CheckFinding{.diagnostic = std::move(group.worst),
                              .block = group.firstBlock + 1,
+                             .worstBlock = group.worstBlock + 1,
                              .count = group.count,
                              .lastLine = lineOf(group.lastBlock),
                              .tool = group.tool,
                              .value = group.value,
                              .unit = group.unit,
-                             .place = endOf(group.worstBlock)});
+                             .place = group.place.value_or(endOf(group.worstBlock))});
         }
     }
 
@@ -204,8 +205,9 @@ private:
                          .place = finding.place};
         if (finding.block) {
             out.block = *finding.block + 1;
+            out.worstBlock = finding.worstBlock + 1;
             out.lastLine = lineOf(finding.lastBlock);
-            out.place = endOf(finding.worstBlock);
+            out.place = finding.place.value_or(endOf(finding.worstBlock));
         }
         add(std::move(out));
     }

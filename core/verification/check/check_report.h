@@ -16,12 +16,13 @@ namespace proveout {
 
 /// A finding with all that lists and machine-readable reports need. Value type.
 struct CheckFinding {
-    Diagnostic diagnostic{}; ///< at its first line; without a file it is about the program
-    std::size_t block = 0;   ///< the first, 1-based; 0: none
-    std::size_t count = 1;   ///< of blocks
-    int lastLine = 0;        ///< that of the last block; 0: none
-    int tool = 0;            ///< of its blocks
-    double value = 0;        ///< the worst
+    Diagnostic diagnostic{};    ///< at its first line; without a file it is about the program
+    std::size_t block = 0;      ///< the first, 1-based; 0: none
+    std::size_t worstBlock = 0; ///< that of value and place, 1-based; 0: none
+    std::size_t count = 1;      ///< of blocks
+    int lastLine = 0;           ///< that of the last block; 0: none
+    int tool = 0;               ///< of its blocks
+    double value = 0;           ///< the worst
     double limit = 0;
     const char* unit = ""; ///< of value and limit; empty: there is no value
     std::optional<Vec3> place = {};

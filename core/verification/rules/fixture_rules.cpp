@@ -17,23 +17,23 @@ public:
     explicit FixtureCheck(const CheckedRun& run) : m_run(run) {}
 
     /// Calls `measure(tool, motion, fixture)` for each motion of each block that is known, and reports the
-    /// largest result of a block and a fixture, if it is above 0.
+    /// deepest result of a block and a fixture, if it is above 0; its place is that of the tip.
     template<class Measure>
     void judge(const FindingRow& row, double limit, RuleFindings& out, const Measure& measure) {
         for (std::size_t block = 0; block < m_run.program.blockCount(); ++block) {
             for (const auto& [name, fixture] : m_run.setup.fixtures) {
-                const double worst = worstOf(block, fixture, measure);
-                if (worst > 0)
-                    out.add(row, block, m_run.toolOf(block), worst, limit, name);
+                const FixtureContact worst = worstOf(block, fixture, measure);
+                if (worst.depth > 0)
+                    out.add(row, block, m_run.toolOf(block), worst.depth, limit, name, worst.tip);
             }
         }
     }
 
 private:
     template<class Measure>
-    double worstOf(std::size_t block, const Fixture& fixture, const Measure& measure) {
+    FixtureContact worstOf(std::size_t block, const Fixture& fixture, const Measure& measure) {
         const auto motions = m_run.program.blockMotions(block);
-        double worst = 0;
+        FixtureContact worst;
         for (std::size_t index = motions.first; index < motions.last; ++index) {
             Motion motion = m_run.program.motion(index);
             const ToolOutline* tool = outlineOf(motion);
@@ -43,7 +43,9 @@ private:
                 motion.kind = MotionKind::rapid;
                 motion.start = motion.end;
             }
-            worst = std::max(worst, measure(*tool, motion, fixture));
+            const FixtureContact contact = measure(*tool, motion, fixture);
+            if (contact.depth > worst.depth)
+                worst = contact;
         }
         return worst;
     }
@@ -62,24 +64,28 @@ private:
     std::map<int, ToolOutline> m_outlines;
 };
 
-double collision(const ToolOutline& tool, const Motion& motion, const Fixture& fixture) {
-    const auto contact = fixtureContact(tool, motion, fixture);
-    return contact ? contact->depth : 0;
+FixtureContact collision(const ToolOutline& tool, const Motion& motion, const Fixture& fixture) {
+    return fixtureContact(tool, motion, fixture).value_or(FixtureContact());
 }
 
-/// By how much the tool is nearer than `clearance`; 0 if it is not, or collides.
-double missingClearance(const ToolOutline& tool, const Motion& motion, const Fixture& fixture,
-                        double clearance) {
+/// By how much the tool is nearer than `clearance`, and where its tip is then; 0 if it is not, or collides.
+FixtureContact missingClearance(const ToolOutline& tool, const Motion& motion, const Fixture& fixture,
+                                double clearance) {
     constexpr double kFine = 1e-3; // mm
-    if (!fixtureContact(tool, motion, fixture, clearance) || fixtureContact(tool, motion, fixture))
-        return 0;
+    const auto near = fixtureContact(tool, motion, fixture, clearance);
+    if (!near || fixtureContact(tool, motion, fixture))
+        return {};
     double free = 0;
     double touching = clearance;
+    Vec3 tip = near->tip;
     while (touching - free > kFine) {
         const double middle = (free + touching) / 2;
-        (fixtureContact(tool, motion, fixture, middle) ? touching : free) = middle;
+        const auto contact = fixtureContact(tool, motion, fixture, middle);
+        (contact ? touching : free) = middle;
+        if (contact)
+            tip = contact->tip;
     }
-    return clearance - free;
+    return {clearance - free, tip};
 }
 
 } // namespace

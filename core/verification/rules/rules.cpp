@@ -74,13 +74,13 @@ constexpr std::array kRules{
 } // namespace
 
 void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, double value, double limit,
-                       const std::string& what) {
+                       const std::string& what, std::optional<Vec3> place) {
     const auto same = [&](const RuleFinding& one) {
         return one.row == &row && one.block && one.tool == tool && one.what == what;
     };
     const auto found = std::ranges::find_if(m_all, same);
     if (found == m_all.end()) {
-        m_all.push_back({&row, block, block, block, 1, tool, value, limit, {}, what});
+        m_all.push_back({&row, block, block, block, 1, tool, value, limit, place, what});
         return;
     }
     found->count += found->lastBlock == block ? 0 : 1;
@@ -88,6 +88,7 @@ void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, doubl
     if (value > found->value) {
         found->value = value;
         found->worstBlock = block;
+        found->place = place;
     }
 }
 

@@ -27,7 +27,7 @@ struct RuleFinding {
     int tool = 0;          ///< of these blocks
     double value = 0;      ///< the worst
     double limit = 0;
-    std::optional<Vec3> place = {};
+    std::optional<Vec3> place = {}; ///< of the worst
     std::string what =
         {}; ///< the thing, where the rule has several of them; the third argument of the sentence
 };
@@ -37,7 +37,7 @@ class RuleFindings {
 public:
     /// A block breaks a rule. Blocks must come in order; the larger value is the worse one.
     void add(const FindingRow& row, std::size_t block, int tool, double value, double limit = 0,
-             const std::string& what = {});
+             const std::string& what = {}, std::optional<Vec3> place = {});
     /// Something that concerns no block.
     void add(const FindingRow& row, double value = 0, double limit = 0, std::optional<Vec3> place = {});
     [[nodiscard]] const std::vector<RuleFinding>& all() const { return m_all; }
