@@ -203,6 +203,10 @@ void ProblemsPanel::showNothingFound() {
 void ProblemsPanel::goTo(const CheckFinding& problem) {
     if (!ProblemsHub::isInText(problem.diagnostic))
         return;
+    if (const auto line = m_session.contact().show(problem)) {
+        emit m_session.navigation().lineRequested(*line, 1);
+        return;
+    }
     const auto line = static_cast<std::uint32_t>(problem.diagnostic.where.line);
     emit m_session.navigation().lineRequested(line, problem.diagnostic.where.column);
     if (problem.block > 0)

@@ -6,6 +6,7 @@
 
 #include "ui/session/breakpoint_list.h"
 #include "ui/session/check_hub.h"
+#include "ui/session/contact_hub.h"
 #include "ui/session/document_hub.h"
 #include "ui/session/export_hub.h"
 #include "ui/session/job_hub.h"
@@ -48,6 +49,8 @@ public:
     [[nodiscard]] const NavigationHub& navigation() const { return m_navigation; }
     [[nodiscard]] CheckHub& check() { return m_check; }
     [[nodiscard]] const CheckHub& check() const { return m_check; }
+    [[nodiscard]] ContactHub& contact() { return m_contact; }
+    [[nodiscard]] const ContactHub& contact() const { return m_contact; }
     [[nodiscard]] ExportHub& exports() { return m_exports; }
     [[nodiscard]] const ExportHub& exports() const { return m_exports; }
 
@@ -68,6 +71,7 @@ private:
     StockFileHub m_stockFile{m_job, m_problems};
     NavigationHub m_navigation{{m_program, m_simulation, m_playback, m_problems, m_work}};
     CheckHub m_check{m_document, m_program, m_job};
+    ContactHub m_contact{m_document, m_program, m_playback};
     ExportHub m_exports{{m_document, m_program, m_simulation, m_problems, m_work}};
 };
 

@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include "ui/look/theme.h"
+#include "ui/viewport/contact_view.h"
 #include "ui/viewport/detail_choice.h"
 #include "ui/viewport/foreign_notice.h"
 #include "ui/viewport/pointer_place.h"
@@ -34,7 +35,8 @@ QSurfaceFormat formatFor(const GlSupport& support) {
 Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     : QOpenGLWidget(parent), m_session(session), m_detail(new DetailChoice(m_look, *this)),
       m_place(new PointerPlace(session, *this)),
-      m_picture(std::make_unique<ScenePicture>(*this, m_look, m_options, support.software)) {
+      m_picture(std::make_unique<ScenePicture>(*this, m_look, m_options, support.software)),
+      m_contact(new ContactView(session.contact(), m_camera, m_options, *this)) {
     setFormat(formatFor(support));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -53,6 +55,8 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     connect(&m_look, &CloserLook::changed, this, &Viewport::followLook);
     connect(m_picture.get(), &ScenePicture::partUploaded, &session.playback(), &PlaybackHub::reportUploading);
     connect(&session.playback(), &PlaybackHub::tick, this, &Viewport::onTick);
+    connect(m_contact, &ContactView::changed, this, &Viewport::followOptions);
+    connect(m_contact, &ContactView::moved, this, &Viewport::moved);
     new ToolNotice(session, this);
     new ForeignNotice(session, this);
     followPalette();
@@ -82,6 +86,7 @@ void Viewport::setFrame(const FramePtr& frame) {
         fit();
     }
     limitZoom();
+    m_contact->follow(frame);
     repaintSoon();
 }
 
@@ -113,6 +118,7 @@ void Viewport::followOptions() {
     for (QAction* action : m_commands->all())
         if (const auto on = isOn(*this, action->objectName().toStdString()))
             action->setChecked(*on);
+    m_commands->find("hide-contact")->setEnabled(m_session.contact().isShown());
     repaintSoon();
 }
 

@@ -16,6 +16,7 @@
 
 namespace proveout {
 
+class ContactView;
 class DetailChoice;
 class PointerPlace;
 
@@ -40,17 +41,17 @@ public:
     void setOptions(const SceneOptions& options);
     [[nodiscard]] bool legendShown() const { return m_legend; }
     void setLegendShown(bool shown);
-
     /// Whether a label next to the pointer shows the position under it.
     [[nodiscard]] bool placeLabelShown() const;
     void setPlaceLabelShown(bool shown);
-
     /// What is drawn, and the graphics memory for it.
     [[nodiscard]] ScenePicture& picture() { return *m_picture; }
     void setStandardView(StandardView view);
     void setPerspective(bool perspective);
     /// Fits the stock into the view, or the toolpath if there is no stock.
     void fit();
+    /// Shows the present tool again instead of a contact.
+    void hideContact() { m_session.contact().clear(); }
     /// Lets the user choose a detail region, or closes the existing one.
     void toggleCloserLook();
     /// Starts or ends the mode in which a click on the stock goes to the block that cut that position.
@@ -112,16 +113,14 @@ private:
     StockBox m_fittedStock;
     bool m_fitted = false; ///< m_fittedStock has been fitted
     bool m_fits = false;   ///< the view is unchanged since fit(), so resizing the widget fits it again
-
     CloserLook m_look;
     Choosing m_choosing = Choosing::nothing;
     DetailChoice* m_detail;
     PointerPlace* m_place;
     std::unique_ptr<ScenePicture> m_picture; ///< destroyed before what it draws and before the context
-
     CameraDrag m_drag;
+    ContactView* m_contact;
     std::optional<QPointF> m_pressed; ///< start of a click that has not become a drag
-
     std::unique_ptr<CommandActions<Viewport>> m_commands;
 };
 

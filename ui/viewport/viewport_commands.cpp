@@ -34,7 +34,7 @@ void choose(Viewport& viewport) {
 
 constexpr auto kFocus = Reach::focus;
 
-const std::array<Command<Viewport>, 26> kCommands{{
+const std::array<Command<Viewport>, 27> kCommands{{
     {"view-fit", QT_TRANSLATE_NOOP("ViewportCommands", "&Fit"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock and its fixtures"), "fit", "F", kFocus,
      [](Viewport& viewport) { viewport.fit(); }},
@@ -102,6 +102,9 @@ const std::array<Command<Viewport>, 26> kCommands{{
     {"cutter-hidden", QT_TRANSLATE_NOOP("ViewportCommands", "Hi&de Cutter"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Draw no cutter"), "", "", kFocus,
      alternate<&SceneOptions::cutter, CutterShown::hidden, CutterShown::solid>},
+    {"hide-contact", QT_TRANSLATE_NOOP("ViewportCommands", "Hide C&ontact"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Show the cutter at the end of the block again"), "", "Esc",
+     Reach::window, [](Viewport& viewport) { viewport.hideContact(); }},
 }};
 
 /// The commands that can be turned on and off.

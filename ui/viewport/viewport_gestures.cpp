@@ -159,10 +159,8 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 void Viewport::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape && m_choosing == Choosing::place)
         return choose(Choosing::nothing);
-    if (event->key() == Qt::Key_Escape && looksCloser()) {
-        closeLook();
-        return;
-    }
+    if (event->key() == Qt::Key_Escape && looksCloser())
+        return closeLook();
     if (turnByKey(m_camera, *event))
         moved();
     else

@@ -11,6 +11,7 @@
 #include "ui/readout/surface_probe.h"
 #include "ui/session/playback_commands.h"
 #include "ui/window/document_title.h"
+#include "ui/window/escape_key.h"
 #include "ui/window/file_drop.h"
 #include "ui/window/kept_switches.h"
 #include "ui/window/layout_menu.h"
@@ -68,6 +69,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     new FileDrop(*m_files, *this);
     new WheelFocus(this);
     new SpaceKey(this);
+    new EscapeKey(m_session.contact(), this);
 }
 
 MainWindow::~MainWindow() {

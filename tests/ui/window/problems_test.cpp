@@ -19,6 +19,8 @@
 
 #include "core/nc/text/dialect.h"
 #include "tests/ui/window/workstation.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
 #include "ui/findings/problems_model.h"
 #include "ui/look/languages.h"
 
@@ -197,6 +199,33 @@ private slots:
         station.session.job().undoStep();
         QVERIFY(!station.session.job().setup().dialect.has_value());
         QVERIFY(station.session.job().setup().blockDelete);
+    }
+
+    /// Whatever has the focus; Esc then has its own meaning there again.
+    void escHidesAContactFirst() {
+        Workstation station(false);
+        open(station, "G21 G90\nT1 M6\nS1000 M3\nG0 X0 Y5 Z5\nG1 Z-2 F100\nX10\nG0 X20\nZ5\nM30\n");
+        Session& session = station.session;
+        Setup setup = session.job().setup();
+        setup.stock = {Vec3(0), 40, 10, 10};
+        setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
+        QVERIFY(session.job().setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(session.check().report() && rowOf(station, "rapid-cuts") >= 0, kPatience);
+        QTreeView& list = listOf(station);
+        auto& editor = station.window.editor();
+        for (QWidget* focused : {static_cast<QWidget*>(&editor), static_cast<QWidget*>(&list)}) {
+            focused->setFocus();
+            list.setCurrentIndex({});
+            do
+                station.press(Qt::Key_F8, Qt::NoModifier);
+            while (list.currentIndex().row() != rowOf(station, "rapid-cuts"));
+            QVERIFY(session.contact().isShown());
+            QTRY_VERIFY_WITH_TIMEOUT(session.contact().in(session.simulation().frame().get()) != nullptr,
+                                     kPatience);
+            QCOMPARE(editor.findChild<NcEditor*>()->caretLine(), 7);
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+            QVERIFY(!session.contact().isShown());
+        }
     }
 
 private:
