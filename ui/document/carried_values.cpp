@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <set>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -57,6 +59,27 @@ void carryTools(ToolTable& now, const ToolTable& from, const ToolTable& to, Carr
     }
 }
 
+void carryFixtures(Fixtures& now, const Fixtures& from, const Fixtures& to, Carry which) {
+    const auto entry = [](const Fixtures& fixtures, const std::string& name) {
+        const auto found = fixtures.find(name);
+        return found == fixtures.end() ? std::optional<Fixture>() : std::optional(found->second);
+    };
+    std::set<std::string> names;
+    for (const Fixtures* fixtures : {&from, &to})
+        for (const auto& named : *fixtures)
+            names.insert(named.first);
+    for (const std::string& name : names) {
+        const std::optional<Fixture> before = entry(from, name);
+        const std::optional<Fixture> after = entry(to, name);
+        if (before == after || (which == Carry::whereSame && entry(now, name) != before))
+            continue;
+        if (after)
+            now.insert_or_assign(name, *after);
+        else
+            now.erase(name);
+    }
+}
+
 std::vector<double> valuesOf(DecimationParameters parameters) {
     std::vector<double> values;
     describe(parameters,
@@ -101,6 +124,7 @@ Setup carried(Setup now, const Setup& from, const Setup& to, Carry which) {
         if (!grid.automatic)
             carry(grid.spacing, std::invoke(place, from).spacing, std::invoke(place, to).spacing);
     });
+    carryFixtures(now.fixtures, from.fixtures, to.fixtures, which);
     carryTools(now.tools, from.tools, to.tools, which);
     eachControlField([&](auto place, const Field&) {
         carry(std::invoke(place, now), std::invoke(place, from), std::invoke(place, to));

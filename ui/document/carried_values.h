@@ -15,8 +15,8 @@ enum class Carry : std::uint8_t {
 };
 
 /// Applies the differences between `from` and `to` to `now` and leaves everything else unchanged: field by
-/// field, tool by tool, and the sizes of a box one by one. The spacing of an automatic grid is not applied,
-/// because it follows from stock and cutters.
+/// field, fixture by fixture, tool by tool, and the sizes of a box one by one. The spacing of an automatic
+/// grid is not applied, because it follows from stock and cutters.
 [[nodiscard]] Setup carried(Setup now, const Setup& from, const Setup& to, Carry which = Carry::all);
 /// The same for the parameters; all differences are applied.
 [[nodiscard]] DecimationParameters carried(DecimationParameters now, const DecimationParameters& from,

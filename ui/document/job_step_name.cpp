@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,7 +28,9 @@ constexpr int kSetupFields = 0;
 constexpr int kStockSizes = 100;
 constexpr int kParameterFields = 200;
 constexpr int kMachineFields = 300;
-constexpr int kLimitFields = 400;
+constexpr int kFixtures = 400; // plus the position among the names
+constexpr int kMostFixtures = 500;
+constexpr int kLimitFields = 900;
 constexpr int kTools = 1000; // plus the tool number
 
 QString translated(const char* text) {
@@ -111,6 +114,29 @@ void addTools(const ToolTable& before, const ToolTable& after, Differences& foun
         found.add(translated(QT_TRANSLATE_NOOP("JobSteps", "Tool table")), -1, false);
 }
 
+void addFixtures(const Fixtures& before, const Fixtures& after, Differences& found) {
+    std::set<std::string> names;
+    for (const Fixtures* fixtures : {&before, &after})
+        for (const auto& named : *fixtures)
+            names.insert(named.first);
+    std::vector<JobStepName> changed;
+    int index = 0;
+    for (const std::string& name : names) {
+        const auto was = before.find(name);
+        const auto is = after.find(name);
+        const bool both = was != before.end() && is != after.end();
+        if (!both || was->second != is->second)
+            changed.push_back(
+                {translated(QT_TRANSLATE_NOOP("JobSteps", "Fixture %1")).arg(QString::fromStdString(name)),
+                 both ? kFixtures + index % kMostFixtures : -1});
+        ++index;
+    }
+    if (changed.size() == 1)
+        found.add(changed.front().text, changed.front().field, false);
+    else if (!changed.empty())
+        found.add(translated(QT_TRANSLATE_NOOP("JobSteps", "Fixtures")), -1, false);
+}
+
 JobStepName setupName(const Setup& before, const Setup& after) {
     Differences found;
     int index = kSetupFields;
@@ -129,6 +155,7 @@ JobStepName setupName(const Setup& before, const Setup& after) {
     eachGridField(compare(true));
     eachControlField(compare(false));
     addStockSizes(before, after, found);
+    addFixtures(before.fixtures, after.fixtures, found);
     addTools(before.tools, after.tools, found);
     if (found.names.size() == 1)
         return found.names.front();

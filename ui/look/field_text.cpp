@@ -57,7 +57,7 @@ void setUpBox(CountBox& box, const Field& field) {
 }
 
 void showFieldTexts(QWidget& editor, const Field& field, const QString& defaultText) {
-    QString tip = coreText(field.help);
+    QString tip = *field.help == '\0' ? coreText(field.label) : coreText(field.help);
     if (qobject_cast<QAbstractSpinBox*>(&editor) != nullptr)
         tip += u'\n' + rangeText(field, editor.locale());
     if (!defaultText.isEmpty())

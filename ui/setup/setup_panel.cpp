@@ -23,6 +23,7 @@
 #include "ui/look/panel_layout.h"
 #include "ui/readout/tool_actions.h"
 #include "ui/setup/control_form.h"
+#include "ui/setup/fixture_editor.h"
 #include "ui/setup/kept_in_view.h"
 #include "ui/setup/machine_form.h"
 #include "ui/setup/stock_changed_bar.h"
@@ -41,8 +42,9 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_programTitle(sectionLabel(this)),
       m_control(new ControlForm(session, this)), m_stockTitle(sectionLabel(this)),
       m_stock(new StockForm(this)), m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)),
-      m_problem(wrappedLabel(this)), m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)),
-      m_missing(wrappedLabel(this)), m_define(new QPushButton(this)), m_machineTitle(sectionLabel(this)),
+      m_problem(wrappedLabel(this)), m_fixturesTitle(sectionLabel(this)), m_fixtures(new FixtureEditor(this)),
+      m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)), m_missing(wrappedLabel(this)),
+      m_define(new QPushButton(this)), m_machineTitle(sectionLabel(this)),
       m_machine(new MachineForm(session, this)) {
     build();
     m_rest.setSingleShot(true);
@@ -50,6 +52,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(&m_rest, &QTimer::timeout, this, &SetupPanel::apply);
     connect(m_control, &ControlForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_stock, &StockForm::edited, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_fixtures, &FixtureEditor::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_tools, &ToolTableEditor::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_tools, &ToolTableEditor::lineWanted, this,
@@ -87,6 +90,9 @@ void SetupPanel::build() {
           static_cast<QWidget*>(m_memory), static_cast<QWidget*>(m_problem)})
         layout->addWidget(widget);
     layout->addSpacing(10);
+    layout->addWidget(m_fixturesTitle);
+    layout->addWidget(m_fixtures);
+    layout->addSpacing(10);
     for (QWidget* widget : {static_cast<QWidget*>(m_toolsTitle), static_cast<QWidget*>(m_missing),
                             static_cast<QWidget*>(m_define), static_cast<QWidget*>(m_tools)})
         layout->addWidget(widget);
@@ -106,6 +112,7 @@ void SetupPanel::dropInput() {
     m_shown = m_session.job().setup();
     fill(m_shown);
     m_control->dropText();
+    m_fixtures->dropText();
 }
 
 /// The setup can change at any time, because the stock is fitted and tools are found in comments. Changes by
@@ -126,6 +133,7 @@ void SetupPanel::showSetup() {
 
 void SetupPanel::fill(const Setup& setup) {
     m_stock->show(setup);
+    m_fixtures->show(setup.fixtures, setup.stock);
     m_tools->show(setup.tools);
     showStockProblem();
     m_control->show(setup);
@@ -170,6 +178,7 @@ void SetupPanel::showMemory(const Setup& setup) {
 /// `setup` with the values of the form, except shape and size of the stock, whose body may have to be
 /// created.
 Setup SetupPanel::edited(Setup setup) const {
+    setup.fixtures = m_fixtures->fixtures();
     setup.tools = m_tools->tools();
     m_stock->put(setup);
     m_control->put(setup);
@@ -289,6 +298,7 @@ void SetupPanel::showTool(int number) {
 void SetupPanel::retranslate() {
     m_programTitle->setText(tr("Control"));
     m_stockTitle->setText(tr("Stock and grid"));
+    m_fixturesTitle->setText(tr("Fixtures"));
     m_fit->setText(tr("Fit to program"));
     m_fit->setToolTip(tr("Fit the stock to the toolpath"));
     titleTools();

@@ -16,12 +16,13 @@ class QPushButton;
 namespace proveout {
 
 class ControlForm;
+class FixtureEditor;
 class KeptInView;
 class MachineForm;
 class StockForm;
 class ToolTableEditor;
 
-/// The setup of the machine before the program runs: control, stock, grid, tools.
+/// The setup of the machine before the program runs: control, stock, grid, fixtures, tools.
 class SetupPanel final : public QWidget {
     Q_OBJECT
 
@@ -61,6 +62,8 @@ private:
     QPushButton* m_fit;
     QLabel* m_memory;
     QLabel* m_problem;
+    QLabel* m_fixturesTitle;
+    FixtureEditor* m_fixtures;
     QLabel* m_toolsTitle;
     ToolTableEditor* m_tools;
     KeptInView* m_toolInView = nullptr; ///< owned by the scroll area
