@@ -71,6 +71,13 @@ void DescribedForm::read(std::size_t row, double& value) const {
     readShown(value, *m_rows[row].box);
 }
 
+void DescribedForm::selectFirst() {
+    if (m_rows.empty())
+        return;
+    m_rows.front().box->setFocus();
+    m_rows.front().box->selectAll();
+}
+
 void DescribedForm::retranslate() {
     for (const Row& row : m_rows) {
         row.label->setText(coreText(row.field.label));

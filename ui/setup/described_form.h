@@ -36,6 +36,9 @@ public:
         describe(values, [&](double& value, const Field&) { read(row++, value); });
     }
 
+    /// Selects the first number for typing.
+    void selectFirst();
+
 signals:
     void edited();
 

@@ -23,6 +23,7 @@ void ask(QWidget& parent, const QString& title, const Device& proposed,
     dialog->setWindowTitle(title);
     auto* form = new DescribedForm(QStringLiteral("device-"), dialog);
     form->show(proposed);
+    form->selectFirst();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
     auto* layout = new QVBoxLayout(dialog);
     layout->addWidget(form);
