@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/word_tip.h"
 
-#include "core/nc/codes/dialects.h"
 #include <algorithm>
 #include <cstring>
 
@@ -14,18 +13,10 @@
 namespace proveout {
 
 QString readableHelp(const WordHelp& help, DialectId dialectId) {
-    const QString control = QString::fromUtf8(dialect(dialectId).name);
-    const QString word = QString::fromStdString(help.word);
-    if (help.name == nullptr)
-        return QCoreApplication::translate("WordTip", "%1: unknown (%2)").arg(word, control);
-    QString text =
-        QCoreApplication::translate("WordTip", "%1: %2 (%3)").arg(word, coreText(help.name), control);
-    if (help.group != nullptr)
-        text += u'\n' + QCoreApplication::translate("WordTip", "Modal group: %1").arg(coreText(help.group));
-    if (!help.supported)
-        text += u'\n' + QCoreApplication::translate("WordTip",
-                                                    "Not supported: results after this block are unverified");
-    return text;
+    QStringList lines;
+    for (const HelpSentence& sentence : helpSentences(help, dialectId))
+        lines += coreText(sentence.text, sentence.arguments);
+    return lines.join(u'\n');
 }
 
 namespace {

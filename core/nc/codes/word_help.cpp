@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
+#include "core/nc/codes/dialects.h"
 #include "core/nc/codes/modal_groups.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number.h"
@@ -87,6 +88,20 @@ std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId 
         }
     }
     return {};
+}
+
+std::vector<HelpSentence> helpSentences(const WordHelp& help, DialectId dialectId) {
+    const char* control = dialect(dialectId).name;
+    if (help.name == nullptr)
+        return {{PROVEOUT_TEXT("Core", "{}: unknown ({})"), {help.word, control}}};
+    std::vector<HelpSentence> sentences{
+        {PROVEOUT_TEXT("Core", "{}: {} ({})"), {help.word, help.name, control}}};
+    if (help.group != nullptr)
+        sentences.push_back({PROVEOUT_TEXT("Core", "Modal group: {}"), {help.group}});
+    if (!help.supported)
+        sentences.push_back(
+            {PROVEOUT_TEXT("Core", "Not supported: results after this block are unverified"), {}});
+    return sentences;
 }
 
 } // namespace proveout

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/base/argument.h"
 #include "core/nc/codes/codes.h"
 
 namespace proveout {
@@ -23,5 +25,15 @@ struct WordHelp {
 
 /// The word or the parameter at index `at` of a line; nothing in comments, between words, and in keywords.
 [[nodiscard]] std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId dialect);
+
+/// One line of a tooltip: each `{}` of the text, which is marked with PROVEOUT_TEXT, is replaced by the next
+/// argument.
+struct HelpSentence {
+    const char* text = "";
+    std::vector<Argument> arguments; ///< of the first sentence the first one is the word
+};
+
+/// The meaning of a word in a dialect, in one to three lines.
+[[nodiscard]] std::vector<HelpSentence> helpSentences(const WordHelp& help, DialectId dialect);
 
 } // namespace proveout
