@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/flow/macro_flow.h"
 
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
+#include "core/nc/flow/program_files.h"
 #include "core/nc/text/characters.h"
 
 namespace proveout {
@@ -12,24 +12,6 @@ namespace proveout {
 namespace {
 
 constexpr double kMostNumber = 99'999'999; ///< of blocks and programs
-
-/// The usual file names of a program, on controls and by hand.
-std::vector<std::string> fileNames(const FlowRequest& request) {
-    constexpr std::array kForms{"O{:04}", "o{:04}", "{:04}", "O{}", "o{}", "{}"};
-    constexpr std::array kExtensions{"",     ".nc",  ".NC",  ".tap", ".TAP", ".cnc",
-                                     ".CNC", ".txt", ".TXT", ".eia", ".EIA", ".ngc"};
-    std::vector<std::string> names;
-    if (!request.name.empty()) {
-        for (const char* extension : kExtensions)
-            names.push_back(request.name + extension);
-        return names;
-    }
-    for (const char* form : kForms) {
-        for (const char* extension : kExtensions)
-            names.push_back(fmt::format(fmt::runtime(form), request.program) + extension);
-    }
-    return names;
-}
 
 const MacroIndex::Range* programIn(const MacroIndex& index, const FlowRequest& request) {
     return request.name.empty() ? index.program(request.program) : index.program(request.name);
@@ -217,7 +199,7 @@ const MacroFlow::ProgramFile& MacroFlow::fileOf(const FlowRequest& request, cons
     const std::string key = (request.name.empty() ? "O" : "<") + label;
     const auto [file, isNew] = m_files.try_emplace(key);
     if (isNew) {
-        const std::vector<std::string> names = fileNames(request);
+        const std::vector<std::string> names = macroFileNames(request.program, request.name);
         file->second = {m_calls.file(names), names.front()};
     }
     return file->second;

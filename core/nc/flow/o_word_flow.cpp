@@ -6,20 +6,10 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/nc/flow/program_files.h"
 #include "core/nc/text/characters.h"
 
 namespace proveout {
-
-namespace {
-
-constexpr std::string_view kExtension = ".ngc";
-
-/// Whether a label may name a file within a folder.
-bool plainName(std::string_view label) {
-    return label.find_first_of("/\\") == std::string_view::npos && !label.starts_with('.');
-}
-
-} // namespace
 
 bool OWordFlow::fail(const FindingRow& message, const FlowWord& word, std::vector<Argument> arguments) {
     const auto length = static_cast<int>(std::max(word.arguments, word.begin + 1) - word.begin);
@@ -338,7 +328,7 @@ bool OWordFlow::run(const FlowRequest& request) {
     const std::string label = std::to_string(request.program);
     const std::size_t entry = m_calls.flowIndex().program(label);
     if (entry == FlowLine::kNone)
-        return fail(nc_message::kSubUnknown, {label, label + std::string(kExtension)});
+        return fail(nc_message::kSubUnknown, {label, subFileName(label)});
     if (!m_calls.mayCall())
         return fail(nc_message::kCallTooDeep, {std::to_string(m_calls.deepest()), m_calls.chain(label)});
     if (request.repeats == 0)
@@ -356,10 +346,10 @@ bool OWordFlow::run(const FlowRequest& request) {
 }
 
 CallStack::Source* OWordFlow::fileOf(const std::string& label, const FlowWord& word) {
-    const std::string name = label + std::string(kExtension);
-    const CallStack::FileFound found = plainName(label)
-                                           ? m_calls.file({name})
-                                           : CallStack::FileFound{nullptr, CallStack::FileFault::outside, {}};
+    const std::string name = subFileName(label);
+    const CallStack::FileFound found = name.empty()
+                                           ? CallStack::FileFound{nullptr, CallStack::FileFault::outside, {}}
+                                           : m_calls.file({name});
     switch (found.fault) {
     case CallStack::FileFault::none:
         if (!found.source->flow)
