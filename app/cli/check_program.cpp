@@ -7,12 +7,10 @@
 #include <utility>
 
 #include "app/cli/check_inputs.h"
+#include "app/cli/check_steps.h"
 #include "app/cli/digest.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/simulation/run/interpretation.h"
-#include "core/simulation/setup/tool_proposals.h"
-#include "core/verification/check/check.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/findings.h"
 
@@ -37,20 +35,7 @@ public:
         if (auto read = interpret(); !read)
             return refuse(m_job.warnings, read.error());
         const bool hasStock = isJob(m_checked.input) || m_options.setup.stockGiven();
-        if (hasStock) {
-            m_job.parameters.method = DecimationMethod::none;
-            m_job.parameters.period = 0;
-            SetupOptions::settleGrid(m_job, *m_program, {});
-            if (auto fits = m_options.setup.checkGrid(m_job, {}); !fits)
-                return refuseRead(fits.error());
-        }
-        const auto report = check({.program = m_program,
-                                   .setup = std::make_shared<const Setup>(m_job.setup),
-                                   .machine = m_job.machine,
-                                   .hasStock = hasStock,
-                                   .warnings = m_job.warnings,
-                                   .proposals = m_proposals},
-                                  m_job.check, memoryLimitBytes());
+        const auto report = judgeJob(m_job, m_read, hasStock, m_options.setup, memoryLimitBytes());
         if (!report)
             return refuseRead(report.error());
         m_checked.report = **report;
@@ -72,7 +57,7 @@ private:
     /// The same after the program was read.
     void refuseRead(const Diagnostics& reasons) {
         Diagnostics found = m_job.warnings;
-        found.insert(found.end(), m_program->diagnostics().begin(), m_program->diagnostics().end());
+        found.insert(found.end(), m_read.program->diagnostics().begin(), m_read.program->diagnostics().end());
         refuse(std::move(found), reasons);
     }
 
@@ -87,19 +72,19 @@ private:
         const auto text = NcText::load(m_job.program);
         if (!text)
             return tl::unexpected(text.error());
-        m_proposals = proposeTools(*text);
-        addProposals(m_job.setup.tools, m_proposals);
-        m_program = interpretOn(m_job.setup, *text, interpretOptions(m_job.setup, m_job.program));
-        if (m_program->foreignKind() != nullptr)
-            return tl::unexpected(m_program->diagnostics());
+        const auto read = [&](const InterpretOptions& options) {
+            return proveout::interpret(*text, options);
+        };
+        m_read = interpretJob(m_job, *text, read, read);
+        if (m_read.program->foreignKind() != nullptr)
+            return tl::unexpected(m_read.program->diagnostics());
         return {};
     }
 
     CheckedProgram& m_checked;
     const CheckOptions& m_options;
     Job m_job;
-    ToolProposals m_proposals;
-    std::shared_ptr<const Program> m_program;
+    InterpretedJob m_read;
 };
 
 nlohmann::ordered_json toJson(const CheckFinding& finding) {

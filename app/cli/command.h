@@ -24,6 +24,7 @@ void addToolsCommand(CLI::App& app, ExitCode& exitCode);
 void addHeadlessStudyCommand(CLI::App& app, ExitCode& exitCode);
 void addFormatsCommand(CLI::App& app, ExitCode& exitCode);
 void addStocksCommand(CLI::App& app, ExitCode& exitCode);
+void addLspCommand(CLI::App& app, ExitCode& exitCode);
 void addNcListings(CLI::App& app, ExitCode& exitCode); ///< dialects and rules
 
 } // namespace proveout::cli

@@ -16,9 +16,9 @@ using namespace proveout::cli;
 using namespace proveout::command_line_finding;
 
 /// One row per command; the help lists them in this sequence.
-constexpr std::array kCommands{addInterpretCommand, addSimulateCommand,      addCheckCommand,
-                               addDecimateCommand,  addHeadlessStudyCommand, addToolsCommand,
-                               addStocksCommand,    addFormatsCommand,       addNcListings};
+constexpr std::array kCommands{
+    addInterpretCommand, addSimulateCommand, addCheckCommand,   addDecimateCommand, addHeadlessStudyCommand,
+    addToolsCommand,     addStocksCommand,   addFormatsCommand, addNcListings,      addLspCommand};
 
 ExitCode run(int argc, char** argv) {
     CLI::App app("Proves out three-axis milling programs before they touch metal.", "proveout-cli");

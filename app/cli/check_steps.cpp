@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/check_steps.h"
+
+#include <utility>
+
+namespace proveout::cli {
+
+InterpretedJob interpretJob(Job& job, const NcText& text, const InterpretAgain& interpret,
+                            const InterpretAgain& again) {
+    InterpretedJob read{.program = {}, .proposals = proposeTools(text)};
+    addProposals(job.setup.tools, read.proposals);
+    const InterpretOptions options = interpretOptions(job.setup, job.program);
+    read.program = interpret(options);
+    if (!job.setup.startTool)
+        read.program = withAssumedTool(std::move(read.program), options, job.setup.tools, again);
+    return read;
+}
+
+Result<std::shared_ptr<const CheckReport>> judgeJob(Job& job, const InterpretedJob& read, bool hasStock,
+                                                    const SetupOptions& options, std::uint64_t memoryBytes,
+                                                    const WorkContext& context) {
+    if (hasStock) {
+        job.parameters.method = DecimationMethod::none;
+        job.parameters.period = 0;
+        SetupOptions::settleGrid(job, *read.program, {});
+        if (auto fits = options.checkGrid(job, {}); !fits)
+            return tl::unexpected(std::move(fits.error()));
+    }
+    return check({.program = read.program,
+                  .setup = std::make_shared<const Setup>(job.setup),
+                  .machine = job.machine,
+                  .hasStock = hasStock,
+                  .warnings = job.warnings,
+                  .proposals = read.proposals},
+                 job.check, memoryBytes, context);
+}
+
+} // namespace proveout::cli
