@@ -9,7 +9,6 @@
 
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
-#include "core/base/thread_priority.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/rule_findings.h"
 #include "core/verification/rules/tool_comments.h"
@@ -50,10 +49,6 @@ void LspPublisher::publish(const std::string& uri, std::uint64_t number, std::op
     const auto text = m_texts.find(uri);
     if (text != m_texts.end() && text->second == number)
         m_output.notify("textDocument/publishDiagnostics", std::move(parameters));
-}
-
-void LspAnalysis::lowerPriority() {
-    lowerThreadPriority();
 }
 
 std::shared_ptr<const KnownDialect> LspAnalysis::judge(const std::string& uri, const LspDocument& document,
@@ -128,6 +123,7 @@ void LspAnalysis::interpret(Task task, const std::stop_token& stop) {
 
 void LspAnalysis::run(const Task& task, Job job, const InterpretedJob& read, const std::stop_token& stop) {
     Result<std::shared_ptr<const CheckReport>> report;
+    // One thread: the others are for the editor.
     onThisThread([&] {
         report = judgeJob(job, read, true, m_options.setup, memoryLimitBytes() / 2, {stop, {}});
     });

@@ -51,8 +51,8 @@ private:
     std::uint64_t m_last = 0;
 };
 
-/// One thread interprets texts and reports what is found in them; another one, of low priority, runs programs
-/// that have a stock, and reports everything. One thread calls it.
+/// One thread interprets texts and reports what is found in them; another one runs programs that have a
+/// stock, and reports everything. One thread calls it.
 class LspAnalysis {
 public:
     /// References must outlive it.
@@ -102,10 +102,8 @@ private:
     bool m_relatedInformation = false;
     LspPublisher m_publisher;
     std::map<std::string, std::shared_ptr<Kept>> m_documents;
-    LspWorker m_checks{lowerPriority};
+    LspWorker m_checks;
     LspWorker m_texts; ///< last: it hands work to the other one
-
-    static void lowerPriority();
 };
 
 } // namespace proveout::cli

@@ -6,12 +6,7 @@
 
 namespace proveout::cli {
 
-LspWorker::LspWorker(const std::function<void()>& begin)
-    : m_thread([this, begin](const std::stop_token& end) {
-          if (begin)
-              begin();
-          run(end);
-      }) {}
+LspWorker::LspWorker() : m_thread([this](const std::stop_token& end) { run(end); }) {}
 
 LspWorker::~LspWorker() {
     const std::scoped_lock lock(m_mutex);
@@ -25,6 +20,7 @@ void LspWorker::submit(const std::string& key, std::chrono::milliseconds pause, 
     if (m_currentKey == key)
         m_current.request_stop();
     m_waiting[key] = {Clock::now() + pause, std::move(work)};
+    m_isNew = true;
     m_changed.notify_all();
 }
 
@@ -38,14 +34,15 @@ bool LspWorker::cancel(const std::string& key) {
 void LspWorker::run(const std::stop_token& end) {
     std::unique_lock lock(m_mutex);
     while (!end.stop_requested()) {
+        m_isNew = false;
         if (m_waiting.empty()) {
-            m_changed.wait(lock, end, [this] { return !m_waiting.empty(); });
+            m_changed.wait(lock, end, [this] { return m_isNew; });
             continue;
         }
         const auto first =
             std::ranges::min_element(m_waiting, {}, [](const auto& entry) { return entry.second.due; });
         if (const Clock::time_point due = first->second.due; Clock::now() < due) {
-            m_changed.wait_until(lock, end, due, [] { return false; });
+            m_changed.wait_until(lock, end, due, [this] { return m_isNew; });
             continue;
         }
         m_currentKey = first->first;

@@ -19,8 +19,8 @@ class LspWorker {
 public:
     using Work = std::function<void(const std::stop_token& stop)>;
 
-    /// `begin` is called once, on the thread. Work must not throw.
-    explicit LspWorker(const std::function<void()>& begin = {});
+    /// Work must not throw.
+    LspWorker();
     LspWorker(const LspWorker&) = delete;
     LspWorker& operator=(const LspWorker&) = delete;
     ~LspWorker();
@@ -42,6 +42,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_changed;
     std::map<std::string, Waiting> m_waiting;
+    bool m_isNew = false; ///< something was submitted since the thread looked
     std::string m_currentKey;
     std::stop_source m_current{std::nostopstate};
     std::jthread m_thread; ///< last, so that it ends before what it uses
