@@ -8330,6 +8330,78 @@ Vorgabe: 0 mm</translation>
         <source>Travel of Z with tools without a holder</source>
         <translation>Verfahrweg von Z mit Werkzeugen ohne Halter</translation>
     </message>
+    <message>
+        <source>Jaw width</source>
+        <translation>Backenbreite</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Jaw height</source>
+        <translation>Backenhöhe</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Nut diameter</source>
+        <translation>⌀ Mutter</translation>
+    </message>
+    <message>
+        <source>{}: unknown ({})</source>
+        <translation>{}: unbekannt ({})</translation>
+    </message>
+    <message>
+        <source>{}: {} ({})</source>
+        <translation>{}: {} ({})</translation>
+    </message>
+    <message>
+        <source>Modal group: {}</source>
+        <translation>Modale Gruppe: {}</translation>
+    </message>
+    <message>
+        <source>Not supported: results after this block are unverified</source>
+        <translation>Nicht unterstützt: Ergebnisse nach diesem Satz sind ungeprüft</translation>
+    </message>
+    <message>
+        <source>Least X</source>
+        <translation>Min. X</translation>
+    </message>
+    <message>
+        <source>Least Y</source>
+        <translation>Min. Y</translation>
+    </message>
+    <message>
+        <source>Bottom Z</source>
+        <translation>Unterkante Z</translation>
+    </message>
+    <message>
+        <source>Width (X)</source>
+        <translation>Breite X</translation>
+    </message>
+    <message>
+        <source>Depth (Y)</source>
+        <translation>Länge Y</translation>
+    </message>
+    <message>
+        <source>Axis X</source>
+        <translation>Achse X</translation>
+    </message>
+    <message>
+        <source>Axis Y</source>
+        <translation>Achse Y</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8890,6 +8962,101 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>FixtureEditor</name>
+    <message>
+        <source>Vice</source>
+        <translation>Schraubstock</translation>
+    </message>
+    <message>
+        <source>Step clamp</source>
+        <translation>Spanneisen</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Vice…</source>
+        <translation>Schraubstock…</translation>
+    </message>
+    <message>
+        <source>Step Clamp…</source>
+        <translation>Spanneisen…</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation>Bett</translation>
+    </message>
+    <message>
+        <source>Moving jaw</source>
+        <translation>Bewegliche Backe</translation>
+    </message>
+    <message>
+        <source>Fixed jaw</source>
+        <translation>Feste Backe</translation>
+    </message>
+    <message>
+        <source>Bolt</source>
+        <translation>Schraube</translation>
+    </message>
+    <message>
+        <source>Clamp</source>
+        <translation>Spanneisen</translation>
+    </message>
+    <message>
+        <source>There is already a fixture &quot;%1&quot;.</source>
+        <translation>Es gibt schon ein Spannmittel „%1“.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a fixture at the stock</source>
+        <translation>Ein Spannmittel am Rohteil hinzufügen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Add a copy of the selected fixture</source>
+        <translation>Eine Kopie des gewählten Spannmittels hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected fixture</source>
+        <translation>Das gewählte Spannmittel entfernen</translation>
+    </message>
+    <message>
+        <source>Name of the fixture</source>
+        <translation>Name des Spannmittels</translation>
+    </message>
+    <message>
+        <source>Findings name the fixture like this</source>
+        <translation>So nennen Befunde das Spannmittel</translation>
+    </message>
+</context>
+<context>
     <name>ForeignNotice</name>
     <message>
         <source>Read As</source>
@@ -9041,6 +9208,14 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Waiver</source>
         <translation>Freigabe</translation>
+    </message>
+    <message>
+        <source>Fixture %1</source>
+        <translation>Spannmittel %1</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>Spannmittel</translation>
     </message>
 </context>
 <context>
@@ -9840,6 +10015,10 @@ Keep Both saves your version as a new file in the same folder.</source>
         <source>Add these tools; then enter the sizes of your cutters</source>
         <translation>Diese Werkzeuge aufnehmen; danach die Maße Ihrer Fräser eintragen</translation>
     </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>Spannmittel</translation>
+    </message>
 </context>
 <context>
     <name>Severity</name>
@@ -10399,6 +10578,17 @@ Vorgabe: %4 mm</translation>
     </message>
 </context>
 <context>
+    <name>ToolDrawing</name>
+    <message>
+        <source>Drawing of the tool</source>
+        <translation>Zeichnung des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>The tool to scale: cutting part, shank, holder</source>
+        <translation>Das Werkzeug im Maßstab: Schneide, Schaft, Halter</translation>
+    </message>
+</context>
+<context>
     <name>ToolForm</name>
     <message>
         <source>Shape</source>
@@ -10826,16 +11016,16 @@ Vorgabe: die nächste freie Nummer</translation>
         <source>Ctrl+click</source>
         <translation>Strg+Klick</translation>
     </message>
+    <message>
+        <source>Fixture</source>
+        <translation>Spannmittel</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
     <message>
         <source>&amp;Fit</source>
         <translation>&amp;Einpassen</translation>
-    </message>
-    <message>
-        <source>Show the whole stock</source>
-        <translation>Das ganze Rohteil zeigen</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
@@ -10997,6 +11187,26 @@ Vorgabe: die nächste freie Nummer</translation>
         <source>Show the toolpath inside and behind the stock, dimmed</source>
         <translation>Den Werkzeugweg im Rohteil und dahinter abgeschwächt zeigen</translation>
     </message>
+    <message>
+        <source>Show the whole stock and its fixtures</source>
+        <translation>Das ganze Rohteil mit seinen Spannmitteln zeigen</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xtures</source>
+        <translation>Spannmitt&amp;el</translation>
+    </message>
+    <message>
+        <source>Draw what holds the stock</source>
+        <translation>Zeichnen, was das Rohteil hält</translation>
+    </message>
+    <message>
+        <source>Hide C&amp;ontact</source>
+        <translation>K&amp;ontakt ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the cutter at the end of the block again</source>
+        <translation>Den Fräser wieder am Ende des Satzes zeigen</translation>
+    </message>
 </context>
 <context>
     <name>WaiveDialog</name>
@@ -11049,22 +11259,6 @@ Vorgabe: die nächste freie Nummer</translation>
 </context>
 <context>
     <name>WordTip</name>
-    <message>
-        <source>%1: unknown (%2)</source>
-        <translation>%1: unbekannt (%2)</translation>
-    </message>
-    <message>
-        <source>%1: %2 (%3)</source>
-        <translation>%1: %2 (%3)</translation>
-    </message>
-    <message>
-        <source>Modal group: %1</source>
-        <translation>Modale Gruppe: %1</translation>
-    </message>
-    <message>
-        <source>Not supported: results after this block are unverified</source>
-        <translation>Nicht unterstützt: Ergebnisse nach diesem Satz sind ungeprüft</translation>
-    </message>
     <message>
         <source>Value: %1</source>
         <translation>Wert: %1</translation>

@@ -8330,6 +8330,78 @@ Default: 0 mm</source>
         <source>Travel of Z with tools without a holder</source>
         <translation>홀더가 없는 공구의 Z 이동 범위</translation>
     </message>
+    <message>
+        <source>Jaw width</source>
+        <translation>조 너비</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>열림 폭</translation>
+    </message>
+    <message>
+        <source>Jaw height</source>
+        <translation>조 높이</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>길이</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>너비</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>높이</translation>
+    </message>
+    <message>
+        <source>Nut diameter</source>
+        <translation>너트 지름</translation>
+    </message>
+    <message>
+        <source>{}: unknown ({})</source>
+        <translation>{}: 알 수 없음 ({})</translation>
+    </message>
+    <message>
+        <source>{}: {} ({})</source>
+        <translation>{}: {} ({})</translation>
+    </message>
+    <message>
+        <source>Modal group: {}</source>
+        <translation>모달 그룹: {}</translation>
+    </message>
+    <message>
+        <source>Not supported: results after this block are unverified</source>
+        <translation>지원하지 않음: 이 블록 이후의 결과는 검증되지 않습니다</translation>
+    </message>
+    <message>
+        <source>Least X</source>
+        <translation>최소 X</translation>
+    </message>
+    <message>
+        <source>Least Y</source>
+        <translation>최소 Y</translation>
+    </message>
+    <message>
+        <source>Bottom Z</source>
+        <translation>바닥 Z</translation>
+    </message>
+    <message>
+        <source>Width (X)</source>
+        <translation>너비 X</translation>
+    </message>
+    <message>
+        <source>Depth (Y)</source>
+        <translation>길이 Y</translation>
+    </message>
+    <message>
+        <source>Axis X</source>
+        <translation>축 X</translation>
+    </message>
+    <message>
+        <source>Axis Y</source>
+        <translation>축 Y</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8889,6 +8961,101 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>FixtureEditor</name>
+    <message>
+        <source>Vice</source>
+        <translation>바이스</translation>
+    </message>
+    <message>
+        <source>Step clamp</source>
+        <translation>단차 클램프</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>직육면체</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>원통</translation>
+    </message>
+    <message>
+        <source>Vice…</source>
+        <translation>바이스…</translation>
+    </message>
+    <message>
+        <source>Step Clamp…</source>
+        <translation>단차 클램프…</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation>베드</translation>
+    </message>
+    <message>
+        <source>Moving jaw</source>
+        <translation>가동 조</translation>
+    </message>
+    <message>
+        <source>Fixed jaw</source>
+        <translation>고정 조</translation>
+    </message>
+    <message>
+        <source>Bolt</source>
+        <translation>볼트</translation>
+    </message>
+    <message>
+        <source>Clamp</source>
+        <translation>클램프</translation>
+    </message>
+    <message>
+        <source>There is already a fixture &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; 고정구가 이미 있습니다.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>크기</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>고정구</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>추가</translation>
+    </message>
+    <message>
+        <source>Add a fixture at the stock</source>
+        <translation>소재 옆에 고정구를 추가합니다</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>복사</translation>
+    </message>
+    <message>
+        <source>Add a copy of the selected fixture</source>
+        <translation>선택한 고정구의 사본을 추가합니다</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>제거</translation>
+    </message>
+    <message>
+        <source>Remove the selected fixture</source>
+        <translation>선택한 고정구를 제거합니다</translation>
+    </message>
+    <message>
+        <source>Name of the fixture</source>
+        <translation>고정구 이름</translation>
+    </message>
+    <message>
+        <source>Findings name the fixture like this</source>
+        <translation>검사 결과에 이 이름으로 표시됩니다</translation>
+    </message>
+</context>
+<context>
     <name>ForeignNotice</name>
     <message>
         <source>Read As</source>
@@ -9040,6 +9207,14 @@ Default: 0 mm</source>
     <message>
         <source>Waiver</source>
         <translation>예외</translation>
+    </message>
+    <message>
+        <source>Fixture %1</source>
+        <translation>고정구 %1</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>고정구</translation>
     </message>
 </context>
 <context>
@@ -9839,6 +10014,10 @@ Keep Both saves your version as a new file in the same folder.</source>
         <source>Add these tools; then enter the sizes of your cutters</source>
         <translation>이 공구들을 추가합니다. 그다음 실제 공구의 치수를 입력하십시오</translation>
     </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>고정구</translation>
+    </message>
 </context>
 <context>
     <name>Severity</name>
@@ -10398,6 +10577,17 @@ Default: %4 mm</source>
     </message>
 </context>
 <context>
+    <name>ToolDrawing</name>
+    <message>
+        <source>Drawing of the tool</source>
+        <translation>공구 그림</translation>
+    </message>
+    <message>
+        <source>The tool to scale: cutting part, shank, holder</source>
+        <translation>비율에 맞춘 공구: 절삭부, 섕크, 홀더</translation>
+    </message>
+</context>
+<context>
     <name>ToolForm</name>
     <message>
         <source>Shape</source>
@@ -10825,16 +11015,16 @@ Default: the next free number</source>
         <source>Ctrl+click</source>
         <translation>Ctrl+클릭</translation>
     </message>
+    <message>
+        <source>Fixture</source>
+        <translation>고정구</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
     <message>
         <source>&amp;Fit</source>
         <translation>화면 맞춤(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Show the whole stock</source>
-        <translation>소재 전체를 표시합니다</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
@@ -10996,6 +11186,26 @@ Default: the next free number</source>
         <source>Show the toolpath inside and behind the stock, dimmed</source>
         <translation>소재 안과 뒤의 공구 경로를 흐리게 표시합니다</translation>
     </message>
+    <message>
+        <source>Show the whole stock and its fixtures</source>
+        <translation>소재 전체와 고정구를 표시합니다</translation>
+    </message>
+    <message>
+        <source>Fi&amp;xtures</source>
+        <translation>고정구(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Draw what holds the stock</source>
+        <translation>소재를 고정하는 것을 그립니다</translation>
+    </message>
+    <message>
+        <source>Hide C&amp;ontact</source>
+        <translation>접촉 숨기기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show the cutter at the end of the block again</source>
+        <translation>공구를 다시 블록 끝에 표시합니다</translation>
+    </message>
 </context>
 <context>
     <name>WaiveDialog</name>
@@ -11048,22 +11258,6 @@ Default: the next free number</source>
 </context>
 <context>
     <name>WordTip</name>
-    <message>
-        <source>%1: unknown (%2)</source>
-        <translation>%1: 알 수 없음 (%2)</translation>
-    </message>
-    <message>
-        <source>%1: %2 (%3)</source>
-        <translation>%1: %2 (%3)</translation>
-    </message>
-    <message>
-        <source>Modal group: %1</source>
-        <translation>모달 그룹: %1</translation>
-    </message>
-    <message>
-        <source>Not supported: results after this block are unverified</source>
-        <translation>지원하지 않음: 이 블록 이후의 결과는 검증되지 않습니다</translation>
-    </message>
     <message>
         <source>Value: %1</source>
         <translation>값: %1</translation>

@@ -10,6 +10,8 @@ namespace proveout::cli {
 
 namespace {
 
+constexpr int kHint = 4; ///< the least severity
+
 int lspSeverity(Severity severity) {
     switch (severity) {
     case Severity::fault:
@@ -72,6 +74,8 @@ nlohmann::json diagnosticOf(const CheckFinding& finding, const LspSubject& subje
     }
     if (*diagnostic.hint != '\0')
         text += "\n" + hintText(diagnostic);
+    if (finding.waived)
+        text += fmt::format("\nWaived by {}: {}", finding.waived->owner, finding.waived->reason);
     if (finding.count > 1) {
         text += fmt::format("\n{} blocks, the last one in line {}.", finding.count, finding.lastLine);
         related.push_back(
@@ -79,7 +83,7 @@ nlohmann::json diagnosticOf(const CheckFinding& finding, const LspSubject& subje
              {"message", fmt::format("Last of {} blocks", finding.count)}});
     }
     nlohmann::json out{{"range", elsewhere ? startOfText() : rangeOf(diagnostic.where, subject)},
-                       {"severity", lspSeverity(diagnostic.severity)},
+                       {"severity", finding.waived ? kHint : lspSeverity(diagnostic.severity)},
                        {"code", diagnostic.id},
                        {"source", "proveout"},
                        {"message", std::move(text)}};

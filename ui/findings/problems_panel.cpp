@@ -107,7 +107,6 @@ void ProblemsPanel::build() {
     top->addWidget(m_filter);
     auto* rules = new QToolButton(this);
     rules->setDefaultAction(m_commands.find("check-rules"));
-    rules->setAutoRaise(true);
     top->addWidget(rules);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

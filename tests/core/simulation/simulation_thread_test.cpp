@@ -461,8 +461,8 @@ TEST(SimulationThread, ACancelOfPlaybackPauses) {
 }
 
 TEST(SimulationThread, ACancelOfALoadHoldsForWhatFollowsFromIt) {
-    // The load and the seek take tens of milliseconds. A busy machine may let this thread wait for longer than
-    // that before it can cancel, so a late cancel is tried again.
+    // The load and the seek take tens of milliseconds. A busy machine may let this thread wait for longer
+    // than that before it can cancel, so a late cancel is tried again.
     constexpr auto kSurelyLoading = 4ms;
     const auto program = programOf(randomProgram(32, 20'000));
     for (int attempt = 0; attempt < 20; ++attempt) {

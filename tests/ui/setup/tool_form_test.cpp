@@ -77,14 +77,22 @@ private slots:
         }();
         const auto width = [&](int y) {
             int left = picture.width() / 2;
-            while (left > 60 && filled(left, y))
+            while (left > 0 && filled(left, y))
                 --left;
-            return 2 * (picture.width() / 2 - left);
+            int right = picture.width() / 2;
+            while (right < picture.width() && filled(right, y))
+                ++right;
+            return right - left - 1;
         };
-        const double scale = width(bottom - 10) / 10.0;
+        int top = 0;
+        while (!filled(picture.width() / 2 - 4, top))
+            ++top;
+        const double scale = (bottom - top) / 40.0; // px per mm
+        const double line = 4;                      // px, of both outlines
         QVERIFY(scale > 2);
-        QVERIFY(qAbs(width(bottom - qRound(35 * scale)) / scale - 40) < 1.5);
-        QVERIFY(!filled(picture.width() / 2 - 4, bottom - qRound(43 * scale)));
+        QVERIFY(qAbs(width(bottom - 10) - 10 * scale) <= line);
+        QVERIFY(qAbs(width(bottom - qRound(25 * scale)) - 10 * scale) <= line);
+        QVERIFY(qAbs(width(bottom - qRound(35 * scale)) - 40 * scale) <= line);
         drawing.show({});
         drawing.render(&picture);
         QVERIFY(!filled(picture.width() / 2, picture.height() / 2));
