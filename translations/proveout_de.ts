@@ -9692,6 +9692,10 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>ProblemsPanel</name>
     <message>
+        <source>Remove the Waiver</source>
+        <translation>Freigabe entfernen</translation>
+    </message>
+    <message>
         <source>Problems</source>
         <translation>Probleme</translation>
     </message>

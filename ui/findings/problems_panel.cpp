@@ -20,6 +20,7 @@
 
 #include "core/nc/codes/ignored_codes.h"
 #include "core/simulation/run/cutting_findings.h"
+#include "core/verification/findings/check_findings.h"
 #include "core/verification/findings/rule_findings.h"
 #include "ui/findings/problem_columns.h"
 #include "ui/findings/problems_model.h"
@@ -252,6 +253,12 @@ void ProblemsPanel::addProblemActions(QMenu& menu, const CheckFinding& problem) 
 /// For a finding of the check.
 void ProblemsPanel::addJudgementActions(QMenu& menu, const CheckFinding& finding) {
     menu.addSeparator();
+    if (hasIdOf(finding.diagnostic, check_finding::kWaiverUnused)) {
+        QAction* remove = menu.addAction(tr("Remove the Waiver"), this,
+                                         [this, unused = finding.diagnostic] { removeUnused(unused); });
+        remove->setObjectName(QStringLiteral("remove-waiver"));
+        return;
+    }
     if (finding.waived) {
         QAction* back = menu.addAction(tr("Withdraw the Waiver"), this,
                                        [this, waiver = *finding.waived] { withdraw(waiver); });
@@ -289,6 +296,15 @@ void ProblemsPanel::waive(const CheckFinding& finding) {
 void ProblemsPanel::withdraw(const Waiver& waiver) {
     CheckRules rules = m_session.job().check();
     std::erase(rules.waivers, waiver);
+    m_session.job().asOneStep([&] { m_session.job().setCheck(rules); });
+}
+
+/// The arguments of the finding name it.
+void ProblemsPanel::removeUnused(const Diagnostic& unused) {
+    CheckRules rules = m_session.job().check();
+    std::erase_if(rules.waivers, [&](const Waiver& waiver) {
+        return unused.arguments == std::vector<Argument>{waiver.finding, waiver.owner, waiver.reason};
+    });
     m_session.job().asOneStep([&] { m_session.job().setCheck(rules); });
 }
 

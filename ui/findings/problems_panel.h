@@ -55,6 +55,7 @@ private:
     void showMenu(const QPoint& position);
     void waive(const CheckFinding& finding);
     void withdraw(const Waiver& waiver);
+    void removeUnused(const Diagnostic& unused);
     void turnOff(const std::string& rule);
     void editRules();
     void ignoreMCodes(const std::set<int>& codes);

@@ -248,6 +248,20 @@ private slots:
         QCOMPARE(bench.session.check().report()->faults(), std::size_t{1});
     }
 
+    void aWaiverWithoutItsFindingIsRemoved() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        CheckRules rules;
+        rules.waivers = {{.finding = "air-cutting", .reason = "a", .owner = "b"},
+                         {.finding = "full-slot", .reason = "c", .owner = "d"}};
+        bench.session.job().setCheck(rules);
+        QVERIFY(bench.choose(bench.rowOf("waiver-unused"), "remove-waiver"));
+        QCOMPARE(bench.session.job().check().waivers.size(), std::size_t{1});
+        QVERIFY(bench.choose(bench.rowOf("waiver-unused"), "remove-waiver"));
+        QVERIFY(bench.session.job().check().waivers.empty());
+        QCOMPARE(bench.rowOf("waiver-unused"), -1);
+    }
+
     void aRuleIsTurnedOffForTheJobOrATool() {
         Bench bench;
         QVERIFY(bench.openWithRapids());
