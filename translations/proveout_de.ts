@@ -9692,6 +9692,10 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>ProblemsPanel</name>
     <message>
+        <source>Waived</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
         <source>Remove the Waiver</source>
         <translation>Freigabe entfernen</translation>
     </message>

@@ -9691,6 +9691,10 @@ Default: 0 mm</source>
 <context>
     <name>ProblemsPanel</name>
     <message>
+        <source>Waived</source>
+        <translation>예외 처리됨</translation>
+    </message>
+    <message>
         <source>Remove the Waiver</source>
         <translation>예외 제거</translation>
     </message>

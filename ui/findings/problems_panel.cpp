@@ -50,7 +50,8 @@ std::set<std::string> keptAcceptance() {
 /// Whether it can be turned off: what the program text alone shows cannot.
 bool isRule(const std::string& id) {
     const auto has = [&](const FindingRow* row) { return id == row->id; };
-    return std::ranges::any_of(cutting_finding::kCuttingRows, has) ||
+    const auto judges = [&](const FindingRow* row) { return has(row) && row->severity == Severity::fault; };
+    return std::ranges::any_of(cutting_finding::kCuttingRows, judges) ||
            std::ranges::any_of(rule_finding::kRuleRows, has);
 }
 
@@ -161,9 +162,11 @@ QString ProblemsPanel::summary() const {
             parts << QStringLiteral("%1: %2").arg(what, locale().toString(static_cast<qlonglong>(count)));
     };
     for (const Severity severity : {Severity::fault, Severity::error, Severity::warning, Severity::note})
-        add(severityName(severity),
-            std::ranges::count(m_model->problems(), severity,
-                               [](const CheckFinding& one) { return one.diagnostic.severity; }));
+        add(severityName(severity), std::ranges::count_if(m_model->problems(), [&](const CheckFinding& one) {
+                return one.diagnostic.severity == severity && !one.waived;
+            }));
+    add(tr("Waived"), std::ranges::count_if(m_model->problems(),
+                                            [](const CheckFinding& one) { return one.waived.has_value(); }));
     add(tr("Not checked"), std::ranges::count(m_model->notChecked(), false, &NotChecked::accepted));
     const auto change = m_session.check().change();
     if (change && *change != CheckChange())

@@ -65,10 +65,16 @@ RulesDialog::RulesDialog(CheckRules rules, QWidget* parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &RulesDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &RulesDialog::reject);
     connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
-            [this] { show({}); });
+            &RulesDialog::restore);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(columns);
     layout->addWidget(buttons);
+    show(m_rules);
+}
+
+void RulesDialog::restore() {
+    m_rules.limits = {};
+    m_rules.off.clear();
     show(m_rules);
 }
 
@@ -88,7 +94,8 @@ void RulesDialog::show(const CheckRules& rules) {
                        id, false);
     };
     for (const FindingRow* row : cutting_finding::kCuttingRows)
-        addRule(row);
+        if (row->severity == Severity::fault) // the others say what was not judged
+            addRule(row);
     for (const FindingRow* row : rule_finding::kRuleRows)
         addRule(row);
     RuleLimits limits = rules.limits;
@@ -106,13 +113,12 @@ void RulesDialog::addRow(const QString& title, const std::string& id, bool on) {
 
 CheckRules RulesDialog::rules() const {
     CheckRules rules = m_rules;
-    rules.off.clear();
     for (int row = 0; row < m_list->count(); ++row) {
         const std::string id = m_list->item(row)->data(kIdRole).toString().toStdString();
         if (m_list->item(row)->checkState() == Qt::Checked)
-            continue;
-        const auto before = m_rules.off.find(id);
-        rules.off[id] = before == m_rules.off.end() ? std::string() : before->second;
+            rules.off.erase(id);
+        else
+            rules.off.insert({id, {}}); // a reason stays
     }
     std::size_t row = 0;
     describe(rules.limits, [&](double& value, const Field&) { readShown(value, *m_boxes[row++]); });

@@ -20,10 +20,11 @@ class RulesDialog final : public QDialog {
 public:
     RulesDialog(CheckRules rules, QWidget* parent);
 
-    /// As edited; reasons, acceptances and waivers are kept.
+    /// As edited; reasons, acceptances, waivers and ids that are not in the list are kept.
     [[nodiscard]] CheckRules rules() const;
 
 private:
+    void restore();
     void show(const CheckRules& rules);
     void addRow(const QString& title, const std::string& id, bool on);
 

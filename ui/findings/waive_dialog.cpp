@@ -48,6 +48,7 @@ WaiveDialog::WaiveDialog(const QString& sentence, QWidget* parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &WaiveDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &WaiveDialog::reject);
     enable();
+    resize(kWidth, layout->heightForWidth(kWidth));
     m_reason->setFocus();
 }
 

@@ -240,6 +240,9 @@ private slots:
         QCOMPARE(bench.textOf("rapid-cuts", ProblemsModel::kSeverity), QStringLiteral("Waived"));
         QCOMPARE(bench.textOf("rapid-cuts", ProblemsModel::kHint),
                  QStringLiteral("Waived by M. Roth: a hole"));
+        QVERIFY(bench.panel.findChild<QLabel*>(QStringLiteral("problem-summary"))
+                    ->text()
+                    .startsWith(QStringLiteral("Waived: 1")));
         QVERIFY(bench.session.document().job().jobModified());
         bench.session.job().undoStep();
         QCOMPARE(bench.session.check().report()->faults(), std::size_t{1});
@@ -276,10 +279,11 @@ private slots:
     }
 
     void theRulesDialogKeepsWhatItDoesNotShow() {
-        const CheckRules rules{.limits = {.rapidClearance = 2},
-                               .off = {{"full-slot:T3", "trochoidal"}, {"air-cutting", "known"}},
-                               .accepted = {{"probing", "by hand"}},
-                               .waivers = {{.finding = "rapid-cuts", .reason = "a", .owner = "b"}}};
+        const CheckRules rules{
+            .limits = {.rapidClearance = 2},
+            .off = {{"full-slot:T3", "trochoidal"}, {"air-cutting", "known"}, {"of-later", ""}},
+            .accepted = {{"probing", "by hand"}},
+            .waivers = {{.finding = "rapid-cuts", .reason = "a", .owner = "b"}}};
         const RulesDialog dialog(rules, nullptr);
         QCOMPARE(dialog.rules(), rules);
         auto& list = *dialog.findChild<QListWidget*>(QStringLiteral("rules"));
