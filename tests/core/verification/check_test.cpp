@@ -267,7 +267,7 @@ TEST(Checker, OfAnEditedProgramFindsWhatACheckOfItAloneFinds) {
     CheckRules rules{.accepted = kAll};
     std::string text = kHead + randomProgram(seed, 60);
     const auto setup = smallSetup();
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < roundsOf(60); ++round) {
         rules.limits.rapidClearance = round % 7 == 0 ? 1 : 0;
         text = edited(text, random);
         const CheckSubject subject{.program = programOf(text), .setup = setup};
