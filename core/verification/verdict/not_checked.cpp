@@ -123,7 +123,9 @@ std::vector<NotChecked> notChecked(const CheckScope& scope, const IdsWithReasons
     std::vector<NotChecked> entries;
     for (const NotCheckedRow& row : kRows)
         if (row.concerns(scope))
-            entries.emplace_back(&row).accept(accepted);
+            entries.push_back({.row = &row});
+    for (NotChecked& entry : entries)
+        entry.accept(accepted);
     return entries;
 }
 
