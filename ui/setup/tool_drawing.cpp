@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 #include <QEvent>
+#include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
 
@@ -39,8 +41,8 @@ HalfOutline cuttingPart(const Cutter& cutter) {
         addPiece(outline, piece, false);
     const double top = cutter.fluteLength();
     if (const auto& head = cutter.head()) {
-        for (auto piece = head->back.rbegin(); piece != head->back.rend(); ++piece)
-            addPiece(outline, *piece, true);
+        for (std::size_t k = head->back.size(); k > 0; --k)
+            addPiece(outline, head->back[k - 1], true);
         outline << QPointF(head->neckRadius, top);
     } else {
         outline << QPointF(cutter.radius(), top);
@@ -87,8 +89,8 @@ public:
         QPolygonF whole;
         for (const QPointF& point : half)
             whole << at(point.x(), point.y());
-        for (auto point = half.rbegin(); point != half.rend(); ++point)
-            whole << at(-point->x(), point->y());
+        for (qsizetype k = half.size(); k > 0; --k)
+            whole << at(-half[k - 1].x(), half[k - 1].y());
         m_painter.setPen(QPen(line, 1));
         m_painter.setBrush(fill);
         m_painter.drawPolygon(whole);
