@@ -8275,8 +8275,8 @@ Vorgabe: 0 mm</translation>
         <translation>Unbekanntes Maschinenprofil</translation>
     </message>
     <message>
-        <source>There is no machine profile &quot;{}&quot;; there are {}.</source>
-        <translation>Es gibt kein Maschinenprofil &quot;{}&quot;; es gibt {}.</translation>
+        <source>The machine profile &quot;{}&quot; is unknown; the profiles are {}.</source>
+        <translation>Das Maschinenprofil &quot;{}&quot; ist unbekannt; die Profile sind {}.</translation>
     </message>
     <message>
         <source>Begin with a profile, or write values only, as in rapidXY=20000.</source>

@@ -8275,7 +8275,7 @@ Default: 0 mm</source>
         <translation>알 수 없는 기계 프로파일</translation>
     </message>
     <message>
-        <source>There is no machine profile &quot;{}&quot;; there are {}.</source>
+        <source>The machine profile &quot;{}&quot; is unknown; the profiles are {}.</source>
         <translation>기계 프로파일 &quot;{}&quot;이(가) 없습니다. 있는 것: {}.</translation>
     </message>
     <message>

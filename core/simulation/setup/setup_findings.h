@@ -27,7 +27,7 @@ inline constexpr FindingRow kMachineProfile{
     false,
     "machine-profile",
     PROVEOUT_TEXT("Core", "Unknown machine profile"),
-    PROVEOUT_TEXT("Core", "There is no machine profile \"{}\"; there are {}."),
+    PROVEOUT_TEXT("Core", "The machine profile \"{}\" is unknown; the profiles are {}."),
     PROVEOUT_TEXT("Core", "Begin with a profile, or write values only, as in rapidXY=20000.")};
 inline constexpr FindingRow kParameterOutOfRange{
     Severity::error,
