@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/argument.h"
 #include "core/nc/text/block.h"
 
 namespace proveout {
