@@ -149,17 +149,20 @@ public:
     /// Whether the height falls again where a point leaves the rim.
     [[nodiscard]] bool leaves() const { return m_leaves; }
 
-    /// The value from which touchingChord2() computes the chord. It counts where there is a lowest place;
-    /// elsewhere it is the nearest to one.
+    /// The value from which touchingChord2() computes the chord. It counts where there is a lowest place,
+    /// which for a hollow may be its start; elsewhere it is the nearest to one.
     HWY_INLINE V value(V variable, M& counts) {
         const PointAside at = m_way(variable);
         const PointAside point{hn::Max(hn::Abs(at.aside), all(kNearest)), at.product};
-        const Search search = searchFrom<kSteps>(startFor(point), point);
+        const V start = startFor(point);
+        const Search search = searchFrom<kSteps>(start, point);
+        const M risesAtOnce = hn::Gt(surplusAt(start, point), hn::Zero(kFloats));
         V chord = turning<kHalvings>(search, point);
         if (!hn::AllTrue(kFloats, search.found))
             chord = hn::IfThenElse(search.found, chord, nearestTo(search, point));
-        noteRim(point, chord, search.found);
-        counts = search.found;
+        chord = hn::IfThenElse(risesAtOnce, start, chord);
+        counts = hn::Or(search.found, risesAtOnce);
+        noteRim(point, chord, counts);
         return std::is_same_v<Form, LineForm> ? square(hn::Div(chord, point.aside)) : square(chord);
     }
 

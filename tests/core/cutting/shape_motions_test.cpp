@@ -132,5 +132,19 @@ TEST(ShapeMotions, ThatWereOnceWrongAgreeWithTheOracle) {
     }
 }
 
+/// Beyond the ends of a slope, where the profile rises at once from the edge of its flat into a hollow, the
+/// heights were once those of a place farther along.
+TEST(ShapeMotions, OfHollowsAgreeBeyondTheEndsOfASlope) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const StockBox stock{{-3, 5, 2}, 30, 25, 12};
+    for (int round = 0; round < roundsOf(60); ++round) {
+        const Cutter cutter = randomCutter(random, "form");
+        const Motion motion = randomStraight(random, stock, StraightKind::sloped);
+        EXPECT_LE(largestError(cutter, motion, stock, 0.15, 1000, 3), kAllowed) << reported(cutter, motion);
+    }
+}
+
 } // namespace
 } // namespace proveout
