@@ -20,20 +20,20 @@ namespace {
 /// A path along the rows of a block. `lead` gives leads by the square of the distance from the path.
 template<class Envelope>
 struct RowsEnvelope {
-    static constexpr std::uint32_t kGroupsOfVector =
-        (1U << std::max<std::size_t>(kLanes / kGroupRows, 1)) - 1;
+    static constexpr std::uint64_t kStripsOfVector =
+        (1U << std::max<std::size_t>(kLanes / kGroupRows, 1) * kVectors) - 1;
     Envelope envelope;
-    alignas(64) float leads[kBlock]; ///< of the rows of `groups`, one bit each
+    alignas(64) float leads[kBlock]; ///< of the rows of `strips`, one bit each
 
     template<class Lead>
     HWY_INLINE RowsEnvelope(const Envelope& of, const Lead& lead, const BlockPlaces& places,
-                            std::uint32_t groups)
+                            std::uint64_t strips)
         : envelope(of) {
         alignas(64) float across[kBlock];
         for (std::size_t r = 0; r < kBlock; ++r)
             across[r] = places.acrossAt(r);
         for (std::size_t r = 0; r < kBlock; r += kLanes) {
-            if ((groups >> r / kGroupRows & kGroupsOfVector) != 0)
+            if ((strips >> r / kGroupRows * kVectors & kStripsOfVector) != 0)
                 hn::Store(lead(square(hn::Load(kFloats, across + r))), kFloats, leads + r);
         }
     }

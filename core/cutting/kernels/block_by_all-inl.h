@@ -129,7 +129,7 @@ private:
         if (isSeed(pass))
             return;
         m_seeds[m_seedCount++] = pass;
-        lowerBy(m_table.passes()[static_cast<std::size_t>(pass)], (1U << kGroups) - 1);
+        lowerBy(m_table.passes()[static_cast<std::size_t>(pass)], kAllStrips);
     }
 
     [[nodiscard]] bool isSeed(std::int32_t pass) const {
@@ -153,14 +153,15 @@ private:
         if (m_found.lowest[k] >= maximum() || isSeed(m_found.pass[k]))
             return;
         const Plane plane{m_found.middle[k], m_found.perColumn[k], m_found.perRow[k]};
-        const std::uint32_t groups = groupsAbove(plane, m_work.columnMaxima(m_block, 0), m_work.floor());
-        if (groups != 0)
-            lowerBy(m_table.passes()[static_cast<std::size_t>(m_found.pass[k])], groups);
+        const std::uint64_t strips = stripsAbove(plane, m_work.columnMaxima(m_block, 0), m_work.floor());
+        if (strips != 0)
+            lowerBy(m_table.passes()[static_cast<std::size_t>(m_found.pass[k])], strips);
     }
 
-    void lowerBy(const TilePass& pass, std::uint32_t groups) {
+    void lowerBy(const TilePass& pass, std::uint64_t strips) {
         withAnyEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
-            lowerGroups(envelope, pass, m_work, m_block, groups, [](std::size_t) { return NoLosses(); });
+            lowerStrips(envelope, pass, m_work, m_block, strips,
+                        [](std::size_t, std::size_t) { return NoLosses(); });
         });
     }
 

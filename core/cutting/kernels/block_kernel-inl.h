@@ -21,36 +21,36 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Collector for lowerGroup() when no losses are recorded.
+/// Collector for lowerStrip() when no losses are recorded.
 struct NoLosses {
-    HWY_INLINE void add(std::size_t, std::size_t, V, V, M, V, V) {}
-    HWY_INLINE void endGroup() {}
+    HWY_INLINE void add(std::size_t, V, V, M, V, V) {}
+    HWY_INLINE void end() {}
 };
 
-/// Four rows of a block become the minimum of themselves and an envelope.
+/// Four rows of one vector of a block become the minimum of themselves and an envelope.
 template<class Envelope, class Collector>
-HWY_INLINE void lowerGroup(const Envelope& envelope, const BlockPlaces& places, std::size_t group,
-                           float* heights, float* columnMaxima, float floor, Collector& collector) {
+HWY_INLINE void lowerStrip(const Envelope& envelope, const BlockPlaces& places, std::size_t group,
+                           std::size_t k, float* heights, float* columnMaxima, float floor,
+                           Collector& collector) {
     const V lowest = all(floor);
-    for (std::size_t k = 0; k < kVectors; ++k) {
-        V most = lowest;
-        for (std::size_t r = 0; r < kGroupRows; ++r) {
-            const std::size_t row = group * kGroupRows + r;
-            float* at = heights + r * Tile::kSize + k * kLanes;
-            const V before = hn::LoadU(kFloats, at);
-            const V along = places.alongAt(row, k);
-            const V across = places.acrossAt(row, k);
-            const Cut cut = cutAt(envelope, row, k, along, across);
-            const V z = hn::Max(cut.z, lowest);
-            const M lower = hn::And(cut.under, hn::Lt(z, before));
-            const V now = hn::IfThenElse(lower, z, before);
-            most = hn::Max(most, now);
-            hn::StoreU(now, kFloats, at);
-            collector.add(r, k, before, now, lower, along, across);
-        }
-        hn::StoreU(most, kFloats, columnMaxima + k * kLanes);
+    V most = lowest;
+#pragma GCC unroll 4
+    for (std::size_t r = 0; r < kGroupRows; ++r) {
+        const std::size_t row = group * kGroupRows + r;
+        float* at = heights + r * Tile::kSize;
+        const V before = hn::LoadU(kFloats, at);
+        const V along = places.alongAt(row, k);
+        const V across = places.acrossAt(row, k);
+        const Cut cut = cutAt(envelope, row, k, along, across);
+        const V z = hn::Max(cut.z, lowest);
+        const M lower = hn::And(cut.under, hn::Lt(z, before));
+        const V now = hn::IfThenElse(lower, z, before);
+        most = hn::Max(most, now);
+        hn::StoreU(now, kFloats, at);
+        collector.add(r, before, now, lower, along, across);
     }
-    collector.endGroup();
+    hn::StoreU(most, kFloats, columnMaxima);
+    collector.end();
 }
 
 inline void learnMaxima(TileUnderWork& work, std::size_t block) {
@@ -82,9 +82,9 @@ struct Plane {
     float perRow;
 };
 
-/// The groups of a block, one bit each, that may be lowered if the envelope is nowhere below the plane.
-HWY_INLINE std::uint32_t groupsAbove(const Plane& plane, const float* columnMaxima, float floor) {
-    std::uint32_t groups = 0;
+/// The strips of a block, one bit each, that may be lowered if the envelope is nowhere below the plane.
+HWY_INLINE std::uint64_t stripsAbove(const Plane& plane, const float* columnMaxima, float floor) {
+    std::uint64_t strips = 0;
     const V perColumn = all(plane.perColumn);
     const float tilt = plane.perRow < 0 ? -plane.perRow : plane.perRow;
     const float lowestOfRows = plane.middle - 0.5F * (kGroupRows - 1) * tilt;
@@ -92,14 +92,14 @@ HWY_INLINE std::uint32_t groupsAbove(const Plane& plane, const float* columnMaxi
         const float middleRow =
             static_cast<float>(group * kGroupRows) + 0.5F * (kGroupRows - 1) - kBlockMiddle;
         const V ofRow = all(lowestOfRows + middleRow * plane.perRow);
-        for (std::size_t column = 0; column < kBlock; column += kLanes) {
-            const V columns = hn::Iota(kFloats, static_cast<float>(column) - kBlockMiddle);
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            const V columns = hn::Iota(kFloats, static_cast<float>(k * kLanes) - kBlockMiddle);
             const V lowest = hn::Max(productPlus(perColumn, columns, ofRow), all(floor));
-            const V maxima = hn::LoadU(kFloats, columnMaxima + group * kBlock + column);
-            groups |= static_cast<std::uint32_t>(any(hn::Lt(lowest, maxima))) << group;
+            const V maxima = hn::LoadU(kFloats, columnMaxima + group * kBlock + k * kLanes);
+            strips |= static_cast<std::uint64_t>(any(hn::Lt(lowest, maxima))) << (group * kVectors + k);
         }
     }
-    return groups;
+    return strips;
 }
 
 inline Plane planeOf(const BlockPlanes& planes, std::size_t block) {
@@ -134,31 +134,33 @@ inline std::uint32_t blocksAbove(const TilePass& pass, const float* blockMaxima,
     return found;
 }
 
-/// Lowers those groups of a block whose bits are set in `groups`. `collectorOf` makes the collector for a
-/// group.
+/// Lowers those strips of a block whose bits are set in `strips`. `collectorOf` makes the collector for a
+/// strip from its group and its place in the group.
 template<class Envelope, class Taking>
 HWY_INLINE void lowerEach(const Envelope& envelope, const BlockPlaces& places, TileUnderWork& work,
-                          std::size_t block, std::uint32_t groups, const Taking& collectorOf) {
-    for (; groups != 0; groups &= groups - 1) {
-        const auto group = static_cast<std::size_t>(std::countr_zero(groups));
-        auto collector = collectorOf(group);
-        lowerGroup(envelope, places, group, work.heights(block, group), work.columnMaxima(block, group),
-                   work.floor(), collector);
+                          std::size_t block, std::uint64_t strips, const Taking& collectorOf) {
+    for (; strips != 0; strips &= strips - 1) {
+        const auto strip = static_cast<std::size_t>(std::countr_zero(strips));
+        const std::size_t group = strip / kVectors;
+        const std::size_t k = strip % kVectors;
+        auto collector = collectorOf(group, k);
+        lowerStrip(envelope, places, group, k, work.heights(block, group) + k * kLanes,
+                   work.columnMaxima(block, group) + k * kLanes, work.floor(), collector);
     }
 }
 
 /// The same with the form of the envelope over that block.
 template<class Envelope, class Taking>
-HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, TileUnderWork& work,
-                            std::size_t block, std::uint32_t groups, const Taking& collectorOf) {
+HWY_INLINE void lowerStrips(const Envelope& envelope, const TilePass& pass, TileUnderWork& work,
+                            std::size_t block, std::uint64_t strips, const Taking& collectorOf) {
     const BlockPlaces places(pass, block);
     if constexpr (kOfBlocks<Envelope>) {
-        withBlockEnvelope(envelope, pass, places, block, groups, [&](const auto& overBlock) HWY_ATTR {
+        withBlockEnvelope(envelope, pass, places, block, strips, [&](const auto& overBlock) HWY_ATTR {
             const auto own = overBlock; // a local copy, which nothing else can change, stays in registers
-            lowerEach(own, places, work, block, groups, collectorOf);
+            lowerEach(own, places, work, block, strips, collectorOf);
         });
     } else {
-        lowerEach(envelope, places, work, block, groups, collectorOf);
+        lowerEach(envelope, places, work, block, strips, collectorOf);
     }
     refreshBlockMaximum(work, block);
 }

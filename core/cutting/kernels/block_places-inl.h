@@ -26,6 +26,11 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr std::size_t kLanes =
     hn::MaxLanes(kFloats);                               ///< no supported target has vectors of unknown width
 inline constexpr std::size_t kVectors = kBlock / kLanes; ///< per row of a block
+
+/// Of a block, one bit for each strip: one vector in the four rows of a group. The vectors of a group follow
+/// each other.
+inline constexpr std::uint64_t kAllStrips = ~std::uint64_t{0} >> (64 - kGroups * kVectors);
+
 HWY_INLINE bool any(M mask) {
     return !hn::AllFalse(kFloats, mask);
 }

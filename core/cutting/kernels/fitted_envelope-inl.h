@@ -95,9 +95,9 @@ HWY_INLINE bool alongGrid(const TilePass& pass) {
 }
 template<class Envelope, class Lead, class Work>
 HWY_INLINE void withAlignedEnvelope(const Envelope& envelope, const Lead& lead, const TilePass& pass,
-                                    const BlockPlaces& places, std::uint32_t groups, const Work& work) {
+                                    const BlockPlaces& places, std::uint64_t strips, const Work& work) {
     if (pass.acrossX == 0)
-        work(RowsEnvelope<Envelope>(envelope, lead, places, groups));
+        work(RowsEnvelope<Envelope>(envelope, lead, places, strips));
     else
         work(ColumnsEnvelope<Envelope>(envelope, lead, places));
 }
@@ -106,19 +106,19 @@ HWY_INLINE void withAlignedEnvelope(const Envelope& envelope, const Lead& lead, 
 
 template<class Form, class Lead, class Work>
 HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<Form, Lead>& envelope, const TilePass& pass,
-                                  const BlockPlaces& places, std::size_t, std::uint32_t groups,
+                                  const BlockPlaces& places, std::size_t, std::uint64_t strips,
                                   const Work& work) {
     if (alongGrid(pass))
-        return withAlignedEnvelope(envelope, envelope.lead, pass, places, groups, work);
+        return withAlignedEnvelope(envelope, envelope.lead, pass, places, strips, work);
     work(envelope);
 }
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& envelope,
                                   const TilePass& pass, const BlockPlaces& places, std::size_t block,
-                                  std::uint32_t groups, const Work& work) {
+                                  std::uint64_t strips, const Work& work) {
     if (alongGrid(pass))
-        return withAlignedEnvelope(envelope, envelope.lead, pass, places, groups, work);
+        return withAlignedEnvelope(envelope, envelope.lead, pass, places, strips, work);
     if (pass.bands == nullptr)
         return work(envelope);
     const BandFit bands = bandsAcross(pass, block);
@@ -129,10 +129,10 @@ HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& 
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const HollowEnvelope& envelope, const TilePass& pass,
-                                  const BlockPlaces& places, std::size_t block, std::uint32_t groups,
+                                  const BlockPlaces& places, std::size_t block, std::uint64_t strips,
                                   const Work& work) {
     if (pass.bands == nullptr)
-        return withAlignedEnvelope(envelope, SearchedHollowLead(pass), pass, places, groups, work);
+        return withAlignedEnvelope(envelope, SearchedHollowLead(pass), pass, places, strips, work);
     HollowEnvelope narrow = envelope;
     narrow.ahead2 = bandsAcross(pass, block);
     work(narrow);
@@ -140,7 +140,7 @@ HWY_INLINE void withBlockEnvelope(const HollowEnvelope& envelope, const TilePass
 
 template<class Form, class Work>
 HWY_INLINE void withBlockEnvelope(const HelixEnvelope<Form>& envelope, const TilePass& pass,
-                                  const BlockPlaces&, std::size_t block, std::uint32_t, const Work& work) {
+                                  const BlockPlaces&, std::size_t block, std::uint64_t, const Work& work) {
     HelixEnvelope<Form> narrow = envelope;
     narrow.chord2 = bandsOutside(pass, block);
     work(narrow);
@@ -165,13 +165,13 @@ HWY_INLINE Envelope narrowed(const Envelope& envelope, const TilePass& pass, std
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const LevelEnvelope<WholeForm>& envelope, const TilePass& pass,
-                                  const BlockPlaces&, std::size_t block, std::uint32_t, const Work& work) {
+                                  const BlockPlaces&, std::size_t block, std::uint64_t, const Work& work) {
     work(narrowed(envelope, pass, block));
 }
 
 template<class Work>
 HWY_INLINE void withBlockEnvelope(const LevelRoundEnvelope<WholeForm>& envelope, const TilePass& pass,
-                                  const BlockPlaces&, std::size_t block, std::uint32_t, const Work& work) {
+                                  const BlockPlaces&, std::size_t block, std::uint64_t, const Work& work) {
     work(narrowed(envelope, pass, block));
 }
 

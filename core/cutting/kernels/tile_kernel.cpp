@@ -32,23 +32,24 @@ TileLoss lowerByPass(const TilePass& pass, TileUnderWork& work, const PointWeigh
             const auto block = static_cast<std::size_t>(std::countr_zero(blocks));
             if (!work.isKnown(block))
                 learnMaxima(work, block);
-            const std::uint32_t groups =
-                groupsAbove(planeOf(planes, block), work.columnMaxima(block, 0), work.floor());
-            const auto collectorOf = [&](std::size_t group)
-                                         HWY_ATTR { return GroupLosses(losses, pass, work, block, group); };
-            if (groups != 0)
-                lowerGroups(envelope, pass, work, block, groups, collectorOf);
+            const std::uint64_t strips =
+                stripsAbove(planeOf(planes, block), work.columnMaxima(block, 0), work.floor());
+            const auto collectorOf = [&](std::size_t group, std::size_t k) HWY_ATTR {
+                return StripLosses(losses, pass, work, block, group, k);
+            };
+            if (strips != 0)
+                lowerStrips(envelope, pass, work, block, strips, collectorOf);
         }
     });
     return losses.total();
 }
 
 void lowerBlockByPass(const TilePass& pass, const Plane& plane, TileUnderWork& work, std::size_t block) {
-    const std::uint32_t groups = groupsAbove(plane, work.columnMaxima(block, 0), work.floor());
-    if (groups == 0)
+    const std::uint64_t strips = stripsAbove(plane, work.columnMaxima(block, 0), work.floor());
+    if (strips == 0)
         return;
     withAnyEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
-        lowerGroups(envelope, pass, work, block, groups, [](std::size_t) { return NoLosses(); });
+        lowerStrips(envelope, pass, work, block, strips, [](std::size_t, std::size_t) { return NoLosses(); });
     });
 }
 
@@ -69,17 +70,17 @@ struct BlockBefore {
         const BlockPlaces places(pass, block);
         for (std::size_t group = 0; group < kGroups; ++group) {
             const float* to = work.heights(block, group);
-            GroupLosses collector(losses, pass, work, block, group);
             for (std::size_t k = 0; k < kVectors; ++k) {
+                StripLosses collector(losses, pass, work, block, group, k);
                 for (std::size_t r = 0; r < kGroupRows; ++r) {
                     const std::size_t row = group * kGroupRows + r;
                     const V before = hn::LoadU(kFloats, &heights[row * kBlock + k * kLanes]);
                     const V now = hn::LoadU(kFloats, to + r * Tile::kSize + k * kLanes);
-                    collector.add(r, k, before, now, hn::Lt(now, before), places.alongAt(row, k),
+                    collector.add(r, before, now, hn::Lt(now, before), places.alongAt(row, k),
                                   places.acrossAt(row, k));
                 }
+                collector.end();
             }
-            collector.endGroup();
         }
     }
 };

@@ -24,31 +24,46 @@ using Doubles = hn::Rebind<double, Floats>; // a single lane cannot be halved
 using Doubles = hn::Rebind<double, hn::Half<Floats>>;
 #endif
 
-/// Sums by columns of a block, in double precision: the order of additions is the same for all widths of
-/// vectors.
-class ColumnSums {
+/// Sums by column of a vector, in double precision.
+class VectorSums {
 public:
-    HWY_INLINE ColumnSums() {
+    HWY_INLINE VectorSums() {
         for (auto& sum : m_sums)
             sum = hn::Zero(Doubles());
     }
-    HWY_INLINE void add(std::size_t vector, V values) {
+    HWY_INLINE void add(V values) {
 #if HWY_TARGET == HWY_SCALAR
-        m_sums[vector] = hn::Add(m_sums[vector], hn::PromoteTo(Doubles(), values));
+        m_sums[0] = hn::Add(m_sums[0], hn::PromoteTo(Doubles(), values));
 #else
-        m_sums[2 * vector] = hn::Add(m_sums[2 * vector], hn::PromoteTo(Doubles(), hn::LowerHalf(values)));
+        m_sums[0] = hn::Add(m_sums[0], hn::PromoteTo(Doubles(), hn::LowerHalf(values)));
         const auto upper = hn::UpperHalf(hn::Half<Floats>(), values);
-        m_sums[2 * vector + 1] = hn::Add(m_sums[2 * vector + 1], hn::PromoteTo(Doubles(), upper));
+        m_sums[1] = hn::Add(m_sums[1], hn::PromoteTo(Doubles(), upper));
 #endif
     }
-    HWY_INLINE void add(const ColumnSums& other) {
+    HWY_INLINE void add(const VectorSums& other) {
         for (std::size_t k = 0; k < kCount; ++k)
             m_sums[k] = hn::Add(m_sums[k], other.m_sums[k]);
     }
-    [[nodiscard]] double total() const {
-        alignas(64) double columns[kBlock];
+    void store(double* columns) const {
         for (std::size_t k = 0; k < kCount; ++k)
-            hn::Store(m_sums[k], Doubles(), columns + k * hn::MaxLanes(Doubles()));
+            hn::StoreU(m_sums[k], Doubles(), columns + k * hn::MaxLanes(Doubles()));
+    }
+
+private:
+    static constexpr std::size_t kCount = kLanes / hn::MaxLanes(Doubles());
+    hn::Vec<Doubles> m_sums[kCount];
+};
+
+/// Sums by columns of a block: the order of additions is the same for all widths of vectors.
+class ColumnSums {
+public:
+    HWY_INLINE ColumnSums() {} // an implicit one would not be compiled for the target
+    /// `vector`: of the rows of a block.
+    HWY_INLINE void add(std::size_t vector, const VectorSums& sums) { m_sums[vector].add(sums); }
+    [[nodiscard]] double total() const {
+        double columns[kBlock];
+        for (std::size_t k = 0; k < kVectors; ++k)
+            m_sums[k].store(columns + k * kLanes);
         double total = 0;
         for (const double column : columns)
             total += column;
@@ -56,8 +71,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kCount = kBlock / hn::MaxLanes(Doubles());
-    hn::Vec<Doubles> m_sums[kCount];
+    VectorSums m_sums[kVectors];
 };
 
 /// The losses of a tile.
@@ -74,17 +88,20 @@ public:
         const V weights = hn::LoadU(kFloats, &m_weights->columns[column]);
         return hn::Mul(hn::Mul(lost, weights), all(m_weights->rows[row]));
     }
-    HWY_INLINE void add(V deepest, const ColumnSums& sums, V from, V to) {
+    /// `vector`: of the rows of a block.
+    HWY_INLINE void add(std::size_t vector, V deepest, const VectorSums& sums, V from, V to) {
         m_depth = hn::Max(m_depth, deepest);
-        m_sums.add(sums);
+        m_sums.add(vector, sums);
         m_from = hn::Min(m_from, from);
         m_to = hn::Max(m_to, to);
     }
-    /// Records the columns of a block, one bit each, that were lowered in a row.
-    HWY_INLINE void note(std::size_t column, std::size_t row, std::uint64_t bits) {
-        m_loss.points += std::popcount(bits);
-        m_loss.columns |= bits << column;
-        m_loss.rows |= static_cast<std::uint64_t>(bits != 0) << row;
+    /// Records how many points were lowered, in which columns from `column` on, and in which rows from `row`
+    /// on, one bit each.
+    HWY_INLINE void note(std::int64_t points, std::size_t column, std::uint64_t columns, std::size_t row,
+                         std::uint64_t rows) {
+        m_loss.points += points;
+        m_loss.columns |= columns << column;
+        m_loss.rows |= rows << row;
     }
     [[nodiscard]] TileLoss total() const {
         TileLoss total = m_loss;
@@ -104,38 +121,33 @@ private:
     TileLoss m_loss;
 };
 
-/// Collector for lowerGroup(): the losses of a group of a block. It has no branches: the processor could not
+/// Collector for lowerStrip(): the losses of a strip of a block. It has no branches: the processor could not
 /// predict them, and it works on several rows at once.
-class GroupLosses {
+class StripLosses {
 public:
-    HWY_INLINE GroupLosses(Losses& losses, const TilePass& pass, const TileUnderWork& work, std::size_t block,
-                           std::size_t group)
-        : m_losses(losses), m_pass(pass), m_marks(work.marks()), m_mark(work.mark()),
-          m_column(columnOf(block)), m_row(rowOf(block) + group * kGroupRows), m_from(all(kInfinity)),
-          m_to(all(-kInfinity)) {
-        for (V& deepest : m_deepest)
-            deepest = hn::Zero(kFloats);
-    }
+    HWY_INLINE StripLosses(Losses& losses, const TilePass& pass, const TileUnderWork& work, std::size_t block,
+                           std::size_t group, std::size_t vector)
+        : m_losses(losses), m_pass(pass), m_marks(work.marks()), m_mark(work.mark()), m_vector(vector),
+          m_column(columnOf(block) + vector * kLanes), m_row(rowOf(block) + group * kGroupRows),
+          m_deepest(hn::Zero(kFloats)), m_from(all(kInfinity)), m_to(all(-kInfinity)) {}
 
-    HWY_INLINE void add(std::size_t row, std::size_t vector, V before, V now, M lower, V along, V across) {
+    HWY_INLINE void add(std::size_t row, V before, V now, M lower, V along, V across) {
         const V beside = besidePath(m_pass, along, across);
         const V lost = hn::Sub(before, now);
-        const V weighed = m_losses.weighed(m_column + vector * kLanes, m_row + row, lost);
-        m_deepest[vector] = hn::Max(m_deepest[vector], lost);
-        m_sums.add(vector, weighed);
-        m_bits[row] |= static_cast<std::uint64_t>(bitsOf(lower)) << (vector * kLanes);
+        m_sums.add(m_losses.weighed(m_column, m_row + row, lost));
+        m_deepest = hn::Max(m_deepest, lost);
+        const std::uint64_t bits = bitsOf(lower);
+        m_points += std::popcount(bits);
+        m_columns |= bits;
+        m_rows |= static_cast<std::uint64_t>(bits != 0) << row;
         m_from = hn::Min(m_from, hn::IfThenElse(lower, beside, m_from));
         m_to = hn::Max(m_to, hn::IfThenElse(lower, beside, m_to));
         if (m_marks != nullptr)
-            mark((m_row + row) * Tile::kSize + m_column + vector * kLanes, lower);
+            mark((m_row + row) * Tile::kSize + m_column, lower);
     }
-    HWY_INLINE void endGroup() {
-        V deepest = m_deepest[0];
-        for (std::size_t k = 1; k < kVectors; ++k)
-            deepest = hn::Max(deepest, m_deepest[k]);
-        m_losses.add(deepest, m_sums, m_from, m_to);
-        for (std::size_t r = 0; r < kGroupRows; ++r)
-            m_losses.note(m_column, m_row + r, m_bits[r]);
+    HWY_INLINE void end() {
+        m_losses.add(m_vector, m_deepest, m_sums, m_from, m_to);
+        m_losses.note(m_points, m_column, m_columns, m_row, m_rows);
     }
 
 private:
@@ -148,13 +160,16 @@ private:
     const TilePass& m_pass;
     std::uint32_t* m_marks; ///< of the tile, or null
     std::uint32_t m_mark;
+    std::size_t m_vector; ///< in the rows of the block
     std::size_t m_column;
     std::size_t m_row;
-    V m_deepest[kVectors];
-    ColumnSums m_sums;
+    V m_deepest;
+    VectorSums m_sums;
     V m_from;
     V m_to;
-    std::uint64_t m_bits[kGroupRows] = {};
+    std::int64_t m_points = 0;
+    std::uint64_t m_columns = 0; ///< one bit each, from `m_column` on
+    std::uint64_t m_rows = 0;    ///< one bit each, from `m_row` on
 };
 
 } // namespace
