@@ -48,6 +48,7 @@ std::vector<CutterMotion> motionsOf(const Workload& workload, const Cutter& cutt
             motion.end = place(line, step);
             last = motion.end;
             motions.push_back({&cutter, motion});
+            motions.back().continues = motions.size() > 1;
         }
     return motions;
 }

@@ -101,7 +101,18 @@ CutRecord cut(ZMap& zmap, const Cutter& cutter, const Motion& motion) {
 
 std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& motion,
                              const std::stop_token& stop) {
-    const PreparedSweep prepared(cutter, motion, zmap);
+    return cut(zmap, CutterMotion{&cutter, motion}, stop);
+}
+
+bool continues(const CutterMotion& before, const CutterMotion& motion) {
+    return before.cutter == motion.cutter && before.motion.known() && withinLimits(before.motion) &&
+           before.motion.end == motion.motion.start;
+}
+
+std::optional<CutRecord> cut(ZMap& zmap, const CutterMotion& one, const std::stop_token& stop) {
+    if (one.cutter == nullptr)
+        return CutRecord();
+    const PreparedSweep prepared(*one.cutter, one.motion, zmap, one.continues);
     const Sweep& sweep = prepared.sweep;
     if (sweep.empty() || zmap.tileCount() == 0)
         return CutRecord();

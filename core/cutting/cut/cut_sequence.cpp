@@ -146,7 +146,7 @@ private:
         m_tilesOf[at].clear();
         if (one.cutter == nullptr)
             return;
-        m_sweeps[at] = PreparedSweep(*one.cutter, one.motion, zmap);
+        m_sweeps[at] = PreparedSweep(*one.cutter, one.motion, zmap, one.continues);
         m_sweeps[at].mark = one.mark;
         m_sweeps[at].recorded = one.recorded;
         m_isRecorded[at] = one.recorded ? 1 : 0;

@@ -52,7 +52,15 @@ struct CutterMotion {
     Motion motion;
     std::uint32_t mark = 1; ///< identifies the motion in a Provenance; not 0
     bool recorded = true;   ///< false: its record is not needed
+    /// It begins where the motion before it ended, with the same cutter, and that one was cut into this map:
+    /// points over which it is lowest at its start need not be cut again.
+    bool continues = false;
 };
+/// Whether a motion begins where one before it ended, with the same cutter, so that it `continues` it.
+[[nodiscard]] bool continues(const CutterMotion& before, const CutterMotion& motion);
+/// cut() for one of these motions.
+[[nodiscard]] std::optional<CutRecord> cut(ZMap& zmap, const CutterMotion& motion,
+                                           const std::stop_token& stop);
 /// Does cut() for each of these motions, one after the other, with the same heights and records to the last
 /// bit, but tile by tile: a tile stays in the cache while everything that touches it is cut, and many motions
 /// are worth threads where one is not. One record per motion; those of motions that are not `recorded` may be

@@ -24,8 +24,9 @@ struct PreparedSweep {
     bool recorded = true;   ///< as of its CutterMotion
 
     PreparedSweep() = default; ///< a sweep that cuts nothing
-    PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap)
-        : sweep(cutter, motion, zmap.stock().topZ()), passes(sweep.passes(zmap.grid().hx, zmap.grid().hy)) {}
+    PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap, bool continues = false)
+        : sweep(cutter, motion, zmap.stock().topZ(), continues),
+          passes(sweep.passes(zmap.grid().hx, zmap.grid().hy)) {}
 
     /// The largest work on one point, as a multiple of that on a point of a straight motion.
     [[nodiscard]] double costOfPoint() const {

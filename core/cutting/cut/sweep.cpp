@@ -32,7 +32,7 @@ double rimSlack(const Motion& motion) {
     return 1e-9 + 4 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
+Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ, bool continues)
     : m_origin(motion.start.x, motion.start.y, topZ),
       m_arc(motion.kind == MotionKind::arc && motion.sweep != 0) {
     if (!motion.known() || !finite(motion) || !withinLimits(motion) || !std::isfinite(topZ))
@@ -43,6 +43,7 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
         m_parts = splitArc(m_path);
     } else {
         m_straight = straightPath(motion.start - m_origin, motion.end - m_origin);
+        m_straight.continues = continues;
     }
     // Evaluating a few points one by one costs less, because bounds exclude most of them. But arcs that were
     // replaced by lines are exact here.

@@ -29,7 +29,8 @@ class Sweep {
 public:
     Sweep() = default; ///< empty
     /// Empty if the path is unknown or not finite, or the cutter has no profile. `topZ` becomes height 0.
-    Sweep(const Cutter& cutter, const Motion& motion, double topZ);
+    /// `continues`: as in CutterMotion.
+    Sweep(const Cutter& cutter, const Motion& motion, double topZ, bool continues = false);
 
     [[nodiscard]] bool empty() const { return m_profiles.empty(); }
     /// The box of everything that the cutter may touch.

@@ -245,16 +245,17 @@ struct Cut {
 template<class Form>
 struct LevelEnvelope {
     Form form;
-    V begin, end, z, rim2;
+    V begin, end, z, rim2, from;
     explicit LevelEnvelope(const TilePass& pass)
-        : form(pass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)), rim2(all(pass.rim2)) {}
+        : form(pass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)), rim2(all(pass.rim2)),
+          from(all(pass.from)) {}
     HWY_INLINE V distance2(V along, V across) const {
         const V off = hn::Sub(along, hn::Min(hn::Max(along, begin), end));
         return productPlus(off, off, square(across));
     }
     HWY_INLINE Cut operator()(V along, V across) const {
         const V nearest2 = distance2(along, across);
-        return {hn::Add(z, form.height(nearest2)), hn::Le(nearest2, rim2)};
+        return {hn::Add(z, form.height(nearest2)), hn::And(hn::Le(nearest2, rim2), hn::Gt(along, from))};
     }
 };
 
@@ -262,11 +263,12 @@ template<class Form, class Lead>
 struct SlopedEnvelope {
     Form form;
     Lead lead;
-    V begin, end, z, slope, ahead, rim2;
+    V begin, end, z, slope, ahead, rim2, from;
     explicit SlopedEnvelope(const TilePass& pass) : SlopedEnvelope(pass, Lead(pass)) {}
     SlopedEnvelope(const TilePass& pass, const Lead& leadOfPass)
         : form(pass), lead(leadOfPass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)),
-          slope(all(pass.slope)), ahead(all(pass.slope < 0 ? 1.0F : -1.0F)), rim2(all(pass.rim2)) {}
+          slope(all(pass.slope)), ahead(all(pass.slope < 0 ? 1.0F : -1.0F)), rim2(all(pass.rim2)),
+          from(all(pass.from)) {}
     HWY_INLINE Cut operator()(V along, V across) const {
         return withLead(lead(square(across)), along, across);
     }
@@ -274,8 +276,9 @@ struct SlopedEnvelope {
     HWY_INLINE Cut withLead(V leadOfPoint, V along, V across) const {
         const V across2 = square(across);
         const V off = hn::Sub(along, hn::Min(hn::Max(along, begin), end));
-        const M under = hn::Le(productPlus(off, off, across2), rim2);
-        const V place = hn::Min(hn::Max(productPlus(ahead, leadOfPoint, along), begin), end);
+        const V wanted = productPlus(ahead, leadOfPoint, along);
+        const M under = hn::And(hn::Le(productPlus(off, off, across2), rim2), hn::Gt(wanted, from));
+        const V place = hn::Min(hn::Max(wanted, begin), end);
         const V away = hn::Sub(along, place);
         const V height = form.height(productPlus(away, away, across2));
         return {hn::Add(productPlus(slope, place, z), height), under};

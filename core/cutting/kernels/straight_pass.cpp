@@ -19,6 +19,11 @@ constexpr double kNarrowTile = 24; ///< mm: from a tile's middle to a corner; wi
                                    ///< cutters
 constexpr double kSteepest = 16;   ///< mm per mm
 
+/// A motion that continues another still cuts what is under its start as far behind it as this times the
+/// size: beside the rim a root makes that of the rounding of a distance, and a point must not be left out by
+/// both.
+constexpr double kOverlap = 1e-3;
+
 float toFloat(double value) {
     return static_cast<float>(value);
 }
@@ -45,6 +50,16 @@ void setAhead(TilePass& form, const ConvexProfile& profile, double fall) {
     if (form.slope > 0)
         form.aheadRate = -form.aheadRate;
     form.aheadRadius2 = toFloat(radius * radius);
+}
+
+/// The largest lead on a path that falls: that of an arc is largest on the path's line.
+double largestLead(const ConvexProfile& profile, double slope) {
+    if (!(slope < 0))
+        return 0;
+    const double sine = -slope / std::sqrt(1 + slope * slope);
+    return profile.side == ConvexProfile::Side::arc
+               ? std::min(profile.rim, profile.centreR + profile.radius * sine)
+               : profile.rim;
 }
 
 } // namespace
@@ -93,7 +108,9 @@ bool StraightPass::suffices(const ConvexProfile& profile, const StraightPath& pa
 }
 
 StraightPass::StraightPass(const ConvexProfile& profile, const StraightPath& path)
-    : m_path(path), m_rim(profile.rim), m_reference(profile.reference()), m_form(formOf(profile, path)) {}
+    : m_path(path), m_rim(profile.rim), m_reference(profile.reference()),
+      m_continues(path.continues && path.length > 0), m_lead(largestLead(profile, path.slope)),
+      m_form(formOf(profile, path)) {}
 
 StraightPass::StraightPass(std::shared_ptr<const LevelProfile> whole, const StraightPath& path)
     : StraightPass(whole->below, path) {
@@ -105,6 +122,7 @@ StraightPass::StraightPass(std::shared_ptr<const LevelProfile> whole, const Stra
 StraightPass::StraightPass(const HollowProfile& hollow, const StraightPath& path)
     : StraightPass(hollow.below, path) {
     setHollow(m_form, hollow);
+    m_continues = false;
 }
 
 bool StraightPass::fitLeads() {
@@ -115,10 +133,22 @@ bool StraightPass::fitLeads() {
     return m_bands != nullptr;
 }
 
+double StraightPass::alongAt(double x, double y) const {
+    return (x - m_path.from.x) * m_path.along.x + (y - m_path.from.y) * m_path.along.y;
+}
+
+double StraightPass::overlap(const TileSpacing& spacing) const {
+    return kOverlap * (m_rim + spacing.tileReach);
+}
+
+bool StraightPass::reachesBeyondStart(double x, double y, const TileSpacing& spacing) const {
+    return !m_continues || alongAt(x, y) + spacing.tileReach + m_lead + 2 * overlap(spacing) > 0;
+}
+
 TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) const {
     const double dx = x - m_path.from.x;
     const double dy = y - m_path.from.y;
-    const double along = dx * m_path.along.x + dy * m_path.along.y;
+    const double along = alongAt(x, y);
     const double size = m_rim + spacing.tileReach;
     // Points beyond the cutter's reach need not be distinguished.
     const double far = size + 1;
@@ -135,6 +165,10 @@ TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) 
     pass.acrossY = toFloat(spacing.hy * m_path.along.x);
     pass.begin = toFloat(-std::min(origin, far));
     pass.end = toFloat(std::min(m_path.length - origin, far));
+    if (m_continues && origin <= far) {
+        pass.from = toFloat(-origin - overlap(spacing));
+        pass.blocksFrom = toFloat(-origin - 2 * overlap(spacing) - m_lead - spacing.blockReach);
+    }
     pass.z = toFloat(z);
     pass.rim2 = toFloat(padded * padded);
     pass.reach2 = toFloat(reach * reach);

@@ -52,14 +52,22 @@ public:
     /// approximated. See LeadBands.
     bool fitLeads();
 
+    /// Whether a point of the tile with its middle at (x, y) may be under the cutter, as far as the start of
+    /// the path decides that.
+    [[nodiscard]] bool reachesBeyondStart(double x, double y, const TileSpacing& spacing) const;
     /// The pass over the tile with its middle at (x, y), in the path's coordinates; it must not outlive this
     /// object.
     [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;
 
 private:
+    [[nodiscard]] double alongAt(double x, double y) const;
+    [[nodiscard]] double overlap(const TileSpacing& spacing) const;
+
     StraightPath m_path;
     double m_rim;
     double m_reference; ///< of the profile's heights
+    bool m_continues;   ///< points under its start are left out
+    double m_lead;      ///< at least how far ahead of a point it may be when it is lowest over it, mm
     TilePass m_form;    ///< the values that do not depend on the tile
     std::shared_ptr<const LevelProfile> m_whole;
     std::shared_ptr<const LeadBands> m_bands;

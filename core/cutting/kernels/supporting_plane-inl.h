@@ -18,7 +18,7 @@ namespace {
 /// TilePass.
 struct PassLanes {
     V along, across, alongX, acrossX, alongY, acrossY, begin, end, z, slope, rise, radius, ring, aheadRate,
-        aheadRadius2, inner, outer, reach2, slack;
+        aheadRadius2, inner, outer, reach2, slack, blocksFrom;
 };
 
 HWY_INLINE PassLanes allLanesOf(const TilePass& pass) {
@@ -26,7 +26,7 @@ HWY_INLINE PassLanes allLanesOf(const TilePass& pass) {
             all(pass.alongY), all(pass.acrossY),   all(pass.begin),        all(pass.end),
             all(pass.z),      all(pass.slope),     all(pass.rise),         all(pass.radius),
             all(pass.ring),   all(pass.aheadRate), all(pass.aheadRadius2), all(pass.inner),
-            all(pass.outer),  all(pass.reach2),    all(pass.slack)};
+            all(pass.outer),  all(pass.reach2),    all(pass.slack),        all(pass.blocksFrom)};
 }
 
 HWY_INLINE PassLanes lanesOf(const PassTable& table, std::size_t at) {
@@ -34,7 +34,7 @@ HWY_INLINE PassLanes lanesOf(const PassTable& table, std::size_t at) {
                            HWY_ATTR { return hn::LoadU(kFloats, table.field(index) + at); };
     return {field(0),  field(1),  field(2),  field(3),  field(4),  field(5),  field(6),
             field(7),  field(8),  field(9),  field(10), field(11), field(12), field(13),
-            field(14), field(15), field(16), field(17), field(18)};
+            field(14), field(15), field(16), field(17), field(18), field(19)};
 }
 
 /// Planes that are nowhere above the envelope: height over the middle of a block, and change per column and
@@ -89,7 +89,8 @@ HWY_INLINE Planes supportingPlanes(const PassLanes& pass, V column, V row) {
                             hn::Mul(pass.slack, hn::Add(all(1), steep)));
     planes.perColumn = productPlus(steepAlong, pass.alongX, hn::Mul(steepAcross, pass.acrossX));
     planes.perRow = productPlus(steepAlong, pass.alongY, hn::Mul(steepAcross, pass.acrossY));
-    planes.reaches = hn::Le(productPlus(nearest, nearest, across2), pass.reach2);
+    const M near = hn::Le(productPlus(nearest, nearest, across2), pass.reach2);
+    planes.reaches = hn::And(near, hn::Gt(along, pass.blocksFrom));
     return planes;
 }
 

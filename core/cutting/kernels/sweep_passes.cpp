@@ -130,8 +130,10 @@ double SweepPasses::costOfPoint() const {
 
 void SweepPasses::addOverTile(double x, double y, const TileSpacing& spacing,
                               std::vector<TilePass>& passes) const {
-    for (const StraightPass& pass : m_straight)
-        passes.push_back(pass.overTile(x, y, spacing));
+    for (const StraightPass& pass : m_straight) {
+        if (pass.reachesBeyondStart(x, y, spacing))
+            passes.push_back(pass.overTile(x, y, spacing));
+    }
     for (const RoundPass& pass : m_round)
         passes.push_back(pass.overTile(x, y, spacing));
     if (m_curve)

@@ -17,7 +17,8 @@
 namespace proveout {
 
 /// The heights of a tile that is being lowered, and their bounds. Blocks of 16 × 16 points are divided into
-/// groups of four rows: a motion is computed only for groups that it may lower. Not thread-safe.
+/// groups of four rows, and these into vectors: a motion is computed only for those that it may lower. Not
+/// thread-safe.
 class TileUnderWork {
 public:
     static constexpr std::size_t kBlock = Tile::kBlockSize;
@@ -106,7 +107,7 @@ public:
         &TilePass::alongY, &TilePass::acrossY,   &TilePass::begin,        &TilePass::end,
         &TilePass::z,      &TilePass::slope,     &TilePass::rise,         &TilePass::radius,
         &TilePass::ring,   &TilePass::aheadRate, &TilePass::aheadRadius2, &TilePass::inner,
-        &TilePass::outer,  &TilePass::reach2,    &TilePass::slack};
+        &TilePass::outer,  &TilePass::reach2,    &TilePass::slack,        &TilePass::blocksFrom};
 
     static constexpr std::size_t kWidest = 16; ///< floats in a vector
 

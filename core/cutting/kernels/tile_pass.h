@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace proveout {
 
@@ -34,6 +35,9 @@ struct TilePass {
     float z = 0; ///< of the profile's reference (the centre of its arc, else its lowest point) at 0, or at
                  ///< the middle of a round path
     float slope = 0;
+    /// Points over which the cutter is lowest at this place or before it are not under it: they are under its
+    /// position at the start, which another motion has cut. -infinity: the start counts too.
+    float from = -std::numeric_limits<float>::infinity();
 
     // The profile.
     float rim2 = 0;   ///< points up to this distance are under the cutter; squares of lengths
@@ -55,7 +59,8 @@ struct TilePass {
     float inner = 0; ///< the profile is nowhere below ρ·√… around `inner` and a line of `rise` to `outer`
     float outer = 0;
     float reach2 = 0; ///< blocks with a middle farther away have no point under the cutter
-    float slack = 0;  ///< the error that single precision may add to a bound or subtract from a height
+    float blocksFrom = -std::numeric_limits<float>::infinity(); ///< nor have blocks with a middle before this
+    float slack = 0; ///< the error that single precision may add to a bound or subtract from a height
 
     /// A round path about Z, at most one turn: an arc, a helix, or a level spiral that is nearly an arc.
     /// Positions of the tile are relative to its middle, along and across the direction from the path's

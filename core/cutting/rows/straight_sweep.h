@@ -16,6 +16,7 @@ struct StraightPath {
     double length = 0;
     double z = 0; ///< at `from`
     double slope = 0;
+    bool continues = false; ///< what is under the start was cut before, so that it need not be cut again
 
     [[nodiscard]] double lowest() const { return slope < 0 ? z + slope * length : z; }
 };

@@ -146,15 +146,45 @@ bool isUnconfirmed(const Motion& motion, const Setup& setup, const ToolChoice& t
     return tools.isAssumed(motion.tool) || setup.tools.unconfirmedOrigin(tools.tool(motion.tool)) != nullptr;
 }
 
+/// The motions of a program with their cutters, one after the other from a certain one on. Whether a motion
+/// continues the one before it depends on the program alone, so that a map does not depend on the blocks that
+/// are cut at once.
+class CutterMotions {
+public:
+    CutterMotions(const Program& program, std::size_t first, const Setup& setup, const ToolChoice& tools)
+        : m_program(program), m_setup(setup), m_tools(tools) {
+        continueAt(first);
+    }
+    void continueAt(std::size_t index) { m_last = index > 0 ? of(index - 1) : CutterMotion(); }
+    /// The motion that follows the last one.
+    const CutterMotion& next(std::size_t index, std::size_t block) {
+        CutterMotion one = of(index);
+        one.mark = static_cast<std::uint32_t>(block + 1);
+        one.continues = continues(m_last, one);
+        return m_last = one;
+    }
+
+private:
+    [[nodiscard]] CutterMotion of(std::size_t index) const {
+        const Motion motion = m_program.motion(index);
+        return {cutterOf(motion, m_setup, m_tools), motion};
+    }
+
+    const Program& m_program;
+    const Setup& m_setup;
+    const ToolChoice& m_tools;
+    CutterMotion m_last;
+};
+
 /// Cuts one motion and adds the material left above the head of the cutter; that needs a snapshot of the map
 /// and so is done only for cutters with a head. Nothing if it was stopped: the map may have been cut then.
-std::optional<CutRecord> cutWithHead(ZMap& zmap, const Cutter& cutter, const Motion& motion,
-                                     Overhang& overhang, const std::stop_token& stop) {
+std::optional<CutRecord> cutWithHead(ZMap& zmap, const CutterMotion& one, Overhang& overhang,
+                                     const std::stop_token& stop) {
     const ZMapSnapshot before = zmap.snapshot();
-    std::optional<CutRecord> record = cut(zmap, cutter, motion, stop);
+    std::optional<CutRecord> record = cut(zmap, one, stop);
     if (!record)
         return record;
-    const auto left = overhangLeft(before, zmap.snapshot(), record->changed, cutter, motion, stop);
+    const auto left = overhangLeft(before, zmap.snapshot(), record->changed, *one.cutter, one.motion, stop);
     if (!left)
         return std::nullopt;
     overhang.add(*left);
@@ -172,9 +202,11 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
     Overhang overhang;
     bool unconfirmed = false; // the tool of the last motion: a block changes its tool before it moves
     ToolAssemblies assemblies;
+    CutterMotions inTurn(program, motions.first, setup, tools);
     for (std::size_t index = motions.first; index < motions.last; ++index) {
-        const Motion motion = program.motion(index);
-        const Cutter* cutter = cutterOf(motion, setup, tools);
+        const CutterMotion& one = inTurn.next(index, block);
+        const Motion& motion = one.motion;
+        const Cutter* cutter = one.cutter;
         if (cutter == nullptr)
             continue;
         const bool measured = findings != nullptr && cutter->head();
@@ -188,8 +220,7 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         }
         std::optional<CutRecord> record;
         if (!stop.stop_requested()) // a motion with little work does not check, but a cycle has thousands
-            record = measured ? cutWithHead(zmap, *cutter, motion, overhang, stop)
-                              : cut(zmap, *cutter, motion, stop);
+            record = measured ? cutWithHead(zmap, one, overhang, stop) : cut(zmap, one, stop);
         if (!record) {
             if (before)
                 zmap = ZMap(*before);
@@ -220,6 +251,7 @@ public:
                  PortionCutting& cutting, Recording recording)
         : m_zmap(zmap), m_program(program), m_setup(setup), m_tools(tools), m_findings(findings),
           m_stop(stop), m_recording(recording), m_first(first), m_last(last), m_cutter(cutting.cutter),
+          m_motions(program, first < last ? program.blockMotions(first).first : 0, setup, tools),
           m_waiting(cutting.motions), m_records(cutting.ofMotions), m_sums(cutting.ofBlocks) {
         m_waiting.clear();
         m_sums.assign(last - first, {});
@@ -245,17 +277,19 @@ private:
         const std::size_t waiting = m_waiting.size();
         const auto motions = m_program.blockMotions(block);
         for (std::size_t index = motions.first; index < motions.last; ++index) {
-            const Motion motion = m_program.motion(index);
-            const Cutter* cutter = cutterOf(motion, m_setup, m_tools);
+            CutterMotion one = m_motions.next(index, block);
+            const Motion& motion = one.motion;
+            const Cutter* cutter = one.cutter;
             if (cutter == nullptr)
                 continue;
             if (m_findings != nullptr && (cutter->head() || plungesWithCore(*cutter, motion) ||
                                           (motion.kind == MotionKind::rapid && !motion.known()))) {
                 m_waiting.resize(waiting);
+                m_motions.continueAt(motions.last);
                 return true;
             }
-            m_waiting.push_back({cutter, motion, static_cast<std::uint32_t>(block + 1),
-                                 m_recording == Recording::blocks || mayBeFound(m_zmap, motion, *cutter)});
+            one.recorded = m_recording == Recording::blocks || mayBeFound(m_zmap, motion, *cutter);
+            m_waiting.push_back(one);
         }
         return false;
     }
@@ -296,14 +330,15 @@ private:
         if (!m_cutter.cut(m_zmap, motions, m_records, m_stop))
             return false;
         for (std::size_t k = 0; k < count; ++k) {
-            const auto& [cutter, motion, mark, recorded] = motions[k];
-            const std::size_t block = mark - 1;
+            const Motion& motion = motions[k].motion;
+            const std::size_t block = motions[k].mark - 1;
             if (const auto contact = m_contacts.find(k); contact != m_contacts.end())
                 judge(contact->second, isUnconfirmed(motion, m_setup, m_tools), block, *m_findings);
-            if (!recorded)
+            if (!motions[k].recorded)
                 continue;
+            const Cutter& cutter = *motions[k].cutter;
             if (m_findings != nullptr)
-                judge(m_zmap, m_records[k], motion, *cutter, m_assemblies.of(*cutter),
+                judge(m_zmap, m_records[k], motion, cutter, m_assemblies.of(cutter),
                       isUnconfirmed(motion, m_setup, m_tools), block, *m_findings);
             m_sums[block - m_first].add(m_records[k]);
         }
@@ -329,6 +364,7 @@ private:
     std::size_t m_first;
     std::size_t m_last;
     SequenceCutter& m_cutter;
+    CutterMotions m_motions;
     ToolAssemblies m_assemblies;
     std::vector<CutterMotion>& m_waiting;              ///< marked by 1 + their block
     std::map<std::size_t, AssemblyContact> m_contacts; ///< by index of those that wait
@@ -338,13 +374,13 @@ private:
 
 void addMotions(const Program& program, std::size_t first, std::size_t last, const Setup& setup,
                 const ToolChoice& tools, std::vector<CutterMotion>& motions) {
+    if (first >= last)
+        return;
+    CutterMotions inTurn(program, program.blockMotions(first).first, setup, tools);
     for (std::size_t block = first; block < last; ++block) {
         const auto range = program.blockMotions(block);
-        for (std::size_t index = range.first; index < range.last; ++index) {
-            const Motion motion = program.motion(index);
-            motions.push_back(
-                {cutterOf(motion, setup, tools), motion, static_cast<std::uint32_t>(block + 1)});
-        }
+        for (std::size_t index = range.first; index < range.last; ++index)
+            motions.push_back(inTurn.next(index, block));
     }
 }
 

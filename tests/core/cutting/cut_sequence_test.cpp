@@ -19,7 +19,7 @@ namespace {
 
 const StockBox kStock{{-3, 5, 2}, 50, 40, 12};
 
-/// Motions of all shapes and kinds; some have no cutter, some an unknown path.
+/// Motions of all shapes and kinds; some have no cutter, some an unknown path, some continue the one before.
 struct RandomSequence {
     std::vector<Cutter> cutters;
     std::vector<CutterMotion> motions;
@@ -34,7 +34,13 @@ struct RandomSequence {
                                 : randomStraight(random, kStock, static_cast<StraightKind>(random() % 5));
             if (random() % 30 == 0)
                 motion.startKnown = 0;
-            motions.push_back({random() % 30 == 0 ? nullptr : &cutters[random() % cutters.size()], motion});
+            const Cutter* cutter = random() % 30 == 0 ? nullptr : &cutters[random() % cutters.size()];
+            if (!motions.empty() && motion.kind != MotionKind::arc && random() % 2 == 0) {
+                motion.start = motions.back().motion.end;
+                cutter = motions.back().cutter;
+            }
+            motions.push_back({cutter, motion});
+            motions.back().continues = k > 0 && continues(*(motions.end() - 2), motions.back());
         }
     }
 };
@@ -62,7 +68,7 @@ TEST(CutSequence, IsTheMotionsOneByOne) {
         ZMap expected = freshMap(spacing);
         std::vector<CutRecord> records;
         for (const CutterMotion& one : sequence.motions)
-            records.push_back(one.cutter == nullptr ? CutRecord() : cut(expected, *one.cutter, one.motion));
+            records.push_back(*cut(expected, one, {}));
         for (const std::size_t threads : {1U, 2U, 4U}) {
             const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
             ZMap zmap = freshMap(spacing);
@@ -122,7 +128,7 @@ TEST(CutSequence, LeavesNothingBehindInTheMemoryItKeeps) {
         ZMap expected = freshMap(spacing);
         std::vector<CutRecord> records;
         for (const CutterMotion& one : sequence.motions)
-            records.push_back(one.cutter == nullptr ? CutRecord() : cut(expected, *one.cutter, one.motion));
+            records.push_back(*cut(expected, one, {}));
         ZMap zmap = freshMap(spacing);
         const bool onlyHeights = random() % 4 == 0;
         ASSERT_TRUE(onlyHeights ? cutter.cutHeights(zmap, GridPart(zmap.grid()), sequence.motions, {})
@@ -154,8 +160,7 @@ TEST(CutSequence, KnowsWhichMotionLoweredEachPointLast) {
         for (std::size_t k = 0; k < sequence.motions.size(); ++k) {
             CutterMotion& motion = sequence.motions[k];
             motion.mark = static_cast<std::uint32_t>(7 * k + 3);
-            if (motion.cutter != nullptr)
-                (void)cut(one, *motion.cutter, motion.motion);
+            (void)cut(one, motion, {});
             one.snapshot().read(all, now);
             for (std::size_t at = 0; at < points; ++at) {
                 if (now[at] < before[at])

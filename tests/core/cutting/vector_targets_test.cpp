@@ -39,11 +39,16 @@ std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed, bool atO
     }
     for (std::size_t k = 0; k < motions.size(); ++k)
         motions[k].cutter = &cutters[k];
+    for (std::size_t k = 2; k < motions.size(); k += 4) { // straight
+        motions[k].cutter = motions[k - 1].cutter;
+        motions[k].motion.start = motions[k - 1].motion.end;
+        motions[k].continues = continues(motions[k - 1], motions[k]);
+    }
     if (atOnce) {
         EXPECT_TRUE(cutHeights(zmap, motions, {}));
     } else {
         for (const CutterMotion& one : motions)
-            (void)cut(zmap, *one.cutter, one.motion);
+            (void)cut(zmap, one, {});
     }
     hwy::SetSupportedTargetsForTest(0);
     std::vector<float> heights(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
