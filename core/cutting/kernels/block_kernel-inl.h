@@ -34,7 +34,6 @@ HWY_INLINE void lowerStrip(const Envelope& envelope, const BlockPlaces& places, 
                            Collector& collector) {
     const V lowest = all(floor);
     V most = lowest;
-#pragma GCC unroll 4
     for (std::size_t r = 0; r < kGroupRows; ++r) {
         const std::size_t row = group * kGroupRows + r;
         float* at = heights + r * Tile::kSize;

@@ -52,16 +52,6 @@ void setAhead(TilePass& form, const ConvexProfile& profile, double fall) {
     form.aheadRadius2 = toFloat(radius * radius);
 }
 
-/// The largest lead on a path that falls: that of an arc is largest on the path's line.
-double largestLead(const ConvexProfile& profile, double slope) {
-    if (!(slope < 0))
-        return 0;
-    const double sine = -slope / std::sqrt(1 + slope * slope);
-    return profile.side == ConvexProfile::Side::arc
-               ? std::min(profile.rim, profile.centreR + profile.radius * sine)
-               : profile.rim;
-}
-
 } // namespace
 
 void setHollow(TilePass& form, const HollowProfile& hollow) {
@@ -108,9 +98,9 @@ bool StraightPass::suffices(const ConvexProfile& profile, const StraightPath& pa
 }
 
 StraightPass::StraightPass(const ConvexProfile& profile, const StraightPath& path)
-    : m_path(path), m_rim(profile.rim), m_reference(profile.reference()),
-      m_continues(path.continues && path.length > 0), m_lead(largestLead(profile, path.slope)),
-      m_form(formOf(profile, path)) {}
+    : m_path(path), m_rim(profile.rim), m_reference(profile.reference()), m_form(formOf(profile, path)) {
+    m_path.continues = path.continues && path.length > 0;
+}
 
 StraightPass::StraightPass(std::shared_ptr<const LevelProfile> whole, const StraightPath& path)
     : StraightPass(whole->below, path) {
@@ -122,7 +112,7 @@ StraightPass::StraightPass(std::shared_ptr<const LevelProfile> whole, const Stra
 StraightPass::StraightPass(const HollowProfile& hollow, const StraightPath& path)
     : StraightPass(hollow.below, path) {
     setHollow(m_form, hollow);
-    m_continues = false;
+    m_path.continues = false;
 }
 
 bool StraightPass::fitLeads() {
@@ -141,8 +131,17 @@ double StraightPass::overlap(const TileSpacing& spacing) const {
     return kOverlap * (m_rim + spacing.tileReach);
 }
 
+/// On a path that falls: that of an arc is largest on the path's line.
+double StraightPass::largestLead() const {
+    if (!(m_form.slope < 0))
+        return 0;
+    const bool arc = m_form.form == TilePass::Form::ball || m_form.form == TilePass::Form::corner;
+    const double lead = arc ? m_form.ring + m_form.radius * m_form.lead : m_rim;
+    return std::min(lead, m_rim);
+}
+
 bool StraightPass::reachesBeyondStart(double x, double y, const TileSpacing& spacing) const {
-    return !m_continues || alongAt(x, y) + spacing.tileReach + m_lead + 2 * overlap(spacing) > 0;
+    return !m_path.continues || alongAt(x, y) + spacing.tileReach + largestLead() + 2 * overlap(spacing) > 0;
 }
 
 TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) const {
@@ -165,9 +164,9 @@ TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) 
     pass.acrossY = toFloat(spacing.hy * m_path.along.x);
     pass.begin = toFloat(-std::min(origin, far));
     pass.end = toFloat(std::min(m_path.length - origin, far));
-    if (m_continues && origin <= far) {
+    if (m_path.continues && origin <= far) {
         pass.from = toFloat(-origin - overlap(spacing));
-        pass.blocksFrom = toFloat(-origin - 2 * overlap(spacing) - m_lead - spacing.blockReach);
+        pass.blocksFrom = toFloat(-origin - 2 * overlap(spacing) - largestLead() - spacing.blockReach);
     }
     pass.z = toFloat(z);
     pass.rim2 = toFloat(padded * padded);

@@ -62,12 +62,12 @@ public:
 private:
     [[nodiscard]] double alongAt(double x, double y) const;
     [[nodiscard]] double overlap(const TileSpacing& spacing) const;
+    /// At least how far ahead of a point it may be when it is lowest over it, mm.
+    [[nodiscard]] double largestLead() const;
 
     StraightPath m_path;
     double m_rim;
     double m_reference; ///< of the profile's heights
-    bool m_continues;   ///< points under its start are left out
-    double m_lead;      ///< at least how far ahead of a point it may be when it is lowest over it, mm
     TilePass m_form;    ///< the values that do not depend on the tile
     std::shared_ptr<const LevelProfile> m_whole;
     std::shared_ptr<const LeadBands> m_bands;
