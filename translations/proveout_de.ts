@@ -8402,6 +8402,10 @@ Vorgabe: 0 mm</translation>
         <source>Axis Y</source>
         <translation>Achse Y</translation>
     </message>
+    <message>
+        <source>The waiver of {1} by {2} ({3}) has no effect: T{4} is now “{5}”, it was “{6}”.</source>
+        <translation>Die Freigabe von {1} durch {2} ({3}) ist wirkungslos: T{4} ist jetzt „{5}“, war aber „{6}“.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -11223,10 +11227,6 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Einen Befund freigeben</translation>
     </message>
     <message>
-        <source>It no longer counts in the verdict. If its block, size or tool changes, it counts again. The job file keeps the waiver.</source>
-        <translation>Er zählt nicht mehr für das Urteil. Ändern sich Satz, Größe oder Werkzeug, zählt er wieder. Die Auftragsdatei behält die Freigabe.</translation>
-    </message>
-    <message>
         <source>&amp;Waive</source>
         <translation>&amp;Freigeben</translation>
     </message>
@@ -11237,6 +11237,10 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>&amp;Person</source>
         <translation>&amp;Person</translation>
+    </message>
+    <message>
+        <source>It no longer counts in the verdict. If its block, size, tool or cutter changes, it counts again. The job file keeps the waiver.</source>
+        <translation>Er zählt nicht mehr für das Urteil. Ändern sich Satz, Größe, Werkzeug oder Fräser, zählt er wieder. Die Auftragsdatei behält die Freigabe.</translation>
     </message>
 </context>
 <context>

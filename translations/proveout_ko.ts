@@ -8402,6 +8402,10 @@ Default: 0 mm</source>
         <source>Axis Y</source>
         <translation>축 Y</translation>
     </message>
+    <message>
+        <source>The waiver of {1} by {2} ({3}) has no effect: T{4} is now “{5}”, it was “{6}”.</source>
+        <translation>{1} 항목에 대한 {2}의 예외({3})는 효력이 없습니다. T{4}는 현재 “{5}”이고, 이전에는 “{6}”이었습니다.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -11222,10 +11226,6 @@ Default: the next free number</source>
         <translation>항목 예외 처리</translation>
     </message>
     <message>
-        <source>It no longer counts in the verdict. If its block, size or tool changes, it counts again. The job file keeps the waiver.</source>
-        <translation>더 이상 판정에 포함되지 않습니다. 블록, 크기 또는 공구가 바뀌면 다시 포함됩니다. 예외는 작업 파일에 저장됩니다.</translation>
-    </message>
-    <message>
         <source>&amp;Waive</source>
         <translation>예외 처리(&amp;W)</translation>
     </message>
@@ -11236,6 +11236,10 @@ Default: the next free number</source>
     <message>
         <source>&amp;Person</source>
         <translation>담당자(&amp;P)</translation>
+    </message>
+    <message>
+        <source>It no longer counts in the verdict. If its block, size, tool or cutter changes, it counts again. The job file keeps the waiver.</source>
+        <translation>더 이상 판정에 포함되지 않습니다. 블록, 크기, 공구 번호 또는 공구 형상이 바뀌면 다시 포함됩니다. 예외는 작업 파일에 저장됩니다.</translation>
     </message>
 </context>
 <context>

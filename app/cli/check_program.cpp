@@ -102,6 +102,8 @@ nlohmann::ordered_json toJson(const CheckFinding& finding) {
                     {"count", finding.count},
                     {"lastLine", finding.lastLine},
                     {"tool", finding.tool}});
+    if (!finding.cutter.empty())
+        out["cutter"] = finding.cutter;
     if (*finding.unit != '\0')
         out.update({{"value", finding.value}, {"limit", finding.limit}, {"unit", finding.unit}});
     if (finding.place)

@@ -226,6 +226,7 @@ Waiver readWaiver(JsonFields fields) {
     fields.read("count", count, {1, std::numeric_limits<int>::max()});
     waiver.count = static_cast<std::size_t>(count);
     fields.read("values", waiver.values);
+    fields.read("cutter", waiver.cutter);
     if (fields.has("place"))
         fields.read("place", waiver.place.emplace(0), kCoordinates);
     for (const auto& [key, text] : {std::pair("reason", &waiver.reason), std::pair("owner", &waiver.owner)}) {
@@ -262,6 +263,8 @@ ordered_json toJson(const Waiver& waiver) {
     ordered_json out{{"finding", waiver.finding}, {"tool", waiver.tool}, {"count", waiver.count}};
     if (!waiver.values.empty())
         out["values"] = waiver.values;
+    if (!waiver.cutter.empty())
+        out["cutter"] = waiver.cutter;
     if (waiver.place)
         out["place"] = {waiver.place->x, waiver.place->y, waiver.place->z};
     out["reason"] = waiver.reason;

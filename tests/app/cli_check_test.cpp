@@ -53,6 +53,7 @@ TEST_F(CliCheck, AJobKeepsWhatSomebodyAnswersFor) {
     const std::string waived = job("{" + accepted + R"(, "waivers": {"1": {"finding": "rapid-cuts", "tool": 1,
         "values": "2.000", "place": [16, 5, -2], "reason": "a hole is there", "owner": "M. Roth"}}})");
     EXPECT_EQ(run("check part.proveout --json").json()["findings"][0]["values"], "2.000");
+    EXPECT_EQ(run("check part.proveout --json").json()["findings"][0]["cutter"], "ball:d=4,l=20");
     const Finished done = run("check " + waived + " --sarif out.sarif --json");
     EXPECT_EQ(done.exitCode, 0) << done.out << done.err;
     EXPECT_EQ(done.json()["findings"][0]["waived"]["owner"], "M. Roth");

@@ -302,11 +302,13 @@ void ProblemsPanel::withdraw(const Waiver& waiver) {
     m_session.job().asOneStep([&] { m_session.job().setCheck(rules); });
 }
 
-/// The arguments of the finding name it.
+/// The first arguments of the finding name it.
 void ProblemsPanel::removeUnused(const Diagnostic& unused) {
     CheckRules rules = m_session.job().check();
     std::erase_if(rules.waivers, [&](const Waiver& waiver) {
-        return unused.arguments == std::vector<Argument>{waiver.finding, waiver.owner, waiver.reason};
+        const std::array<Argument, 3> named{waiver.finding, waiver.owner, waiver.reason};
+        return unused.arguments.size() >= named.size() &&
+               std::equal(named.begin(), named.end(), unused.arguments.begin());
     });
     m_session.job().asOneStep([&] { m_session.job().setCheck(rules); });
 }

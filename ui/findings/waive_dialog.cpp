@@ -27,7 +27,7 @@ WaiveDialog::WaiveDialog(const QString& sentence, QWidget* parent)
     finding->setText(sentence);
     auto* effect = wrappedLabel(this);
     effect->setText(
-        tr("It no longer counts in the verdict. If its block, size or tool changes, it counts again. "
+        tr("It no longer counts in the verdict. If its block, size, tool or cutter changes, it counts again. "
            "The job file keeps the waiver."));
     m_reason->setObjectName(QStringLiteral("waiver-reason"));
     m_owner->setObjectName(QStringLiteral("waiver-owner"));

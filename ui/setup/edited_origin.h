@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "core/cutter/tool_spec.h"
 #include "core/cutter/tool_table.h"
-#include "ui/setup/tool_spec.h"
 
 namespace proveout {
 

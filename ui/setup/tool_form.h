@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "ui/setup/tool_spec.h"
+#include "core/cutter/tool_spec.h"
 
 class QComboBox;
 class QFormLayout;

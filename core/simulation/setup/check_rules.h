@@ -93,7 +93,7 @@ void describe(Params& limits, Visitor&& visit) {
 }
 
 /// A finding that a person answers for, so that it does not count in the verdict. It names what was found: if
-/// block, size or tool change, the finding counts again. Value type.
+/// block, size, tool or cutter change, the finding counts again. Value type.
 struct Waiver {
     std::string finding = {};       ///< id
     int tool = 0;                   ///< of its blocks
@@ -101,7 +101,8 @@ struct Waiver {
     std::string values = {};        ///< the values of its sentence
     std::optional<Vec3> place = {}; ///< program coordinates; none: it has no place
     std::string reason = {};
-    std::string owner = {}; ///< who answers for it
+    std::string owner = {};  ///< who answers for it
+    std::string cutter = {}; ///< the spec of the tool; empty: any cutter
 
     friend bool operator==(const Waiver&, const Waiver&) = default;
 };

@@ -11,6 +11,7 @@
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/setup/setup_memory.h"
 #include "core/simulation/time/machine_time.h"
+#include "core/verification/check/cutter_of.h"
 #include "core/verification/findings/check_findings.h"
 #include "core/verification/findings/findings.h"
 #include "core/verification/findings/rule_findings.h"
@@ -94,6 +95,8 @@ private:
     void add(CheckFinding finding) {
         if (finding.lastLine == 0)
             finding.lastLine = finding.diagnostic.where.line;
+        if (const Cutter* cutter = m_subject.setup->tools.find(finding.tool); cutter && finding.block > 0)
+            finding.cutter = cutterOf(cutter->spec(), finding.diagnostic.id);
         m_report.findings.push_back(std::move(finding));
     }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/verification/check/cutter_of.h"
 #include "core/verification/findings/check_findings.h"
 
 namespace proveout {
@@ -20,10 +21,31 @@ bool samePlace(const std::optional<Vec3>& a, const std::optional<Vec3>& b) {
     return a && b ? glm::length(*a - *b) <= kSamePlace : a.has_value() == b.has_value();
 }
 
-/// Whether a waiver is about this finding, whatever its count.
-bool names(const Waiver& waiver, const CheckFinding& finding) {
+/// Whether a waiver is about this finding, whatever its count and its cutter.
+bool namesOfAnyCutter(const Waiver& waiver, const CheckFinding& finding) {
     return waiver.finding == finding.diagnostic.id && waiver.tool == finding.tool &&
            waiver.values == valuesOf(finding.diagnostic) && samePlace(waiver.place, finding.place);
+}
+
+/// A waiver written by hand may spell the cutter as the tool table does.
+bool namesCutter(const Waiver& waiver, const CheckFinding& finding) {
+    return waiver.cutter.empty() || cutterOf(waiver.cutter, finding.diagnostic.id) == finding.cutter;
+}
+
+bool names(const Waiver& waiver, const CheckFinding& finding) {
+    return namesOfAnyCutter(waiver, finding) && namesCutter(waiver, finding);
+}
+
+/// Why a waiver has no effect.
+Diagnostic unusedWaiver(const std::vector<CheckFinding>& findings, const Waiver& waiver) {
+    std::vector<Argument> of{waiver.finding, waiver.owner, waiver.reason};
+    const auto other = std::ranges::find_if(findings, [&](const CheckFinding& finding) {
+        return namesOfAnyCutter(waiver, finding) && !namesCutter(waiver, finding);
+    });
+    if (other == findings.end())
+        return diagnosticOf(check_finding::kWaiverUnused, std::move(of));
+    of.insert(of.end(), {std::to_string(waiver.tool), other->cutter, waiver.cutter});
+    return diagnosticOf(check_finding::kWaiverOfOtherCutter, std::move(of));
 }
 
 void waive(std::vector<CheckFinding>& findings, const Waiver& waiver) {
@@ -40,8 +62,7 @@ void waive(std::vector<CheckFinding>& findings, const Waiver& waiver) {
             finding->waived = waiver;
         return;
     }
-    findings.push_back({.diagnostic = diagnosticOf(check_finding::kWaiverUnused,
-                                                   {waiver.finding, waiver.owner, waiver.reason})});
+    findings.push_back({.diagnostic = unusedWaiver(findings, waiver)});
 }
 
 } // namespace
@@ -89,7 +110,8 @@ Waiver CheckReport::waiverOf(const CheckFinding& finding, std::string reason, st
                   .values = valuesOf(finding.diagnostic),
                   .place = finding.place,
                   .reason = std::move(reason),
-                  .owner = std::move(owner)};
+                  .owner = std::move(owner),
+                  .cutter = finding.cutter};
     for (const CheckFinding& one : findings)
         if (names(waiver, one))
             waiver.count += one.count;

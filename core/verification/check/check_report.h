@@ -22,6 +22,7 @@ struct CheckFinding {
     std::size_t count = 1;      ///< of blocks
     int lastLine = 0;           ///< that of the last block; 0: none
     int tool = 0;               ///< of its blocks
+    std::string cutter = {};    ///< of this tool (cutter_of.h); empty: it has none
     double value = 0;           ///< the worst
     double limit = 0;
     const char* unit = ""; ///< of value and limit; empty: there is no value

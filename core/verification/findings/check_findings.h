@@ -39,6 +39,14 @@ inline constexpr FindingRow kWaiverUnused{
     PROVEOUT_TEXT("Core", "Waiver without its finding"),
     PROVEOUT_TEXT("Core", "The waiver of {} by {} ({}) has no effect: that finding is gone or has changed."),
     PROVEOUT_TEXT("Core", "Remove the waiver, or look at the finding and waive it again.")};
+/// Arguments: id of the finding, owner, reason, tool, its cutter, that of the waiver.
+inline constexpr FindingRow kWaiverOfOtherCutter{
+    Severity::note,
+    false,
+    kWaiverUnused.id,
+    kWaiverUnused.title,
+    PROVEOUT_TEXT("Core", "The waiver of {1} by {2} ({3}) has no effect: T{4} is now “{5}”, it was “{6}”."),
+    kWaiverUnused.hint};
 /// Arguments: owner, reason.
 inline constexpr FindingRow kWaived{
     Severity::note,
@@ -55,7 +63,8 @@ inline constexpr FindingRow kRuleSettingUnknown{
     PROVEOUT_TEXT("Core", "The job names “{}”, but nothing that is checked has this id."),
     PROVEOUT_TEXT("Core", "Correct the id; “proveout-cli rules” lists all of them.")};
 
-inline constexpr std::array kCheckRows{&kCheckNeedsMemory, &kCheckOutOfMemory, &kCheckFailed,
-                                       &kWaiverUnused,     &kWaived,           &kRuleSettingUnknown};
+inline constexpr std::array kCheckRows{&kCheckNeedsMemory,   &kCheckOutOfMemory, &kCheckFailed,
+                                       &kWaiverUnused,       &kWaived,           &kRuleSettingUnknown,
+                                       &kWaiverOfOtherCutter};
 
 } // namespace proveout::check_finding

@@ -219,14 +219,14 @@ TEST_F(JobFile, TheCheckHasLimitsRulesAndWaivers) {
         "off": {"full-slot:T3": "trochoidal"},
         "accepted": {"manual-stops": "clamps are turned by hand"},
         "waivers": {"first": {"finding": "rapid-cuts", "tool": 1, "count": 2, "values": "0.5",
-                              "place": [1, 2, -0.5], "reason": "drilled before", "owner": "M. Roth"}}}, "grid")"));
+                              "cutter": "ball:d=4", "place": [1, 2, -0.5], "reason": "drilled before", "owner": "M. Roth"}}}, "grid")"));
     ASSERT_TRUE(job);
     EXPECT_EQ(job->check.limits.rapidClearance, 1.5);
     EXPECT_EQ(job->check.limits.belowStock, RuleLimits().belowStock);
     EXPECT_TRUE(job->check.isOff("full-slot", 3));
     EXPECT_FALSE(job->check.isOff("full-slot", 2));
     EXPECT_EQ(job->check.accepted.at("manual-stops"), "clamps are turned by hand");
-    const Waiver waiver{"rapid-cuts", 1, 2, "0.5", Vec3(1, 2, -0.5), "drilled before", "M. Roth"};
+    const Waiver waiver{"rapid-cuts", 1, 2, "0.5", Vec3(1, 2, -0.5), "drilled before", "M. Roth", "ball:d=4"};
     EXPECT_EQ(job->check.waivers, std::vector{waiver});
     EXPECT_EQ(read(kWhole)->check, CheckRules());
 }
@@ -456,11 +456,12 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
             {"left jaw", FixtureBox{real(random), real(random), -real(random), 1 + real(random), 2, 0.3}},
             {"screw = 2", FixtureCylinder{0, -real(random), 0, 1 + real(random), 1e-3}}};
     if (random() % 2 == 0)
-        job.check = {.limits = {.airSeconds = std::abs(real(random)), .rapidClearance = 0.1},
-                     .off = {{"full-slot:T3", "a \"b\""}, {"air-cutting", {}}},
-                     .accepted = {{"probing", "ä"}},
-                     .waivers = {{"rapid-cuts", 3, 7, "1; 2", Vec3(real(random), -0.1, 1e-9), "c", "d"},
-                                 {"code-unknown", 0, 1, "G987", {}, "e", "f"}}};
+        job.check = {
+            .limits = {.airSeconds = std::abs(real(random)), .rapidClearance = 0.1},
+            .off = {{"full-slot:T3", "a \"b\""}, {"air-cutting", {}}},
+            .accepted = {{"probing", "ä"}},
+            .waivers = {{"rapid-cuts", 3, 7, "1; 2", Vec3(real(random), -0.1, 1e-9), "c", "d", "flat:d=6"},
+                        {"code-unknown", 0, 1, "G987", {}, "e", "f"}}};
     return job;
 }
 

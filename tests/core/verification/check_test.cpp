@@ -116,6 +116,67 @@ TEST(Waivers, EndWhereBlockSizeToolOrNumberChange) {
     }
 }
 
+/// What becomes of a waiver once T1 is another cutter.
+struct Rewaived {
+    std::size_t faults = 0;
+    std::vector<std::string> unused = {}; ///< sentences
+};
+
+Rewaived afterChange(const std::string& text, const std::string& tool, const std::string& now,
+                     const std::string& written = {}) {
+    auto subject = subjectOf(text);
+    subject.setup = setupWithTool(1, tool);
+    CheckRules rules{.accepted = kAll};
+    const auto before = check(subject, rules, kAnyMemory).value();
+    const auto fault = std::ranges::find(before->findings, Severity::fault,
+                                         [](const CheckFinding& one) { return one.diagnostic.severity; });
+    EXPECT_NE(fault, before->findings.end()) << tool;
+    rules.waivers.push_back(before->waiverOf(*fault, "a hole is there", "M. Roth"));
+    EXPECT_FALSE(rules.waivers.front().cutter.empty());
+    if (!written.empty())
+        rules.waivers.front().cutter = written == "any" ? "" : written;
+    subject.setup = setupWithTool(1, now);
+    const auto after = check(subject, rules, kAnyMemory).value();
+    Rewaived out{.faults = after->faults()};
+    for (const CheckFinding& one : after->findings)
+        if (hasIdOf(one.diagnostic, check_finding::kWaiverUnused))
+            out.unused.push_back(message(one.diagnostic));
+    return out;
+}
+
+TEST(Waivers, EndWhereTheCutterChanges) {
+    // Both cut the same, straight down, to the depth of the tip.
+    const std::string text = kHead + "G0 Z-2\nZ5\nM30\n";
+    const Rewaived other = afterChange(text, "ball:d=4,l=20", "flat:d=4,l=20");
+    EXPECT_EQ(other.faults, 1U);
+    EXPECT_EQ(other.unused,
+              std::vector<std::string>{"The waiver of rapid-cuts by M. Roth (a hole is there) has "
+                                       "no effect: T1 is now “flat:d=4,l=20”, it was "
+                                       "“ball:d=4,l=20”."});
+    EXPECT_EQ(afterChange(text, "ball:d=4,l=20", "flat:d=4,l=20", "any").faults, 0U) << "of an older job";
+    EXPECT_EQ(afterChange(text, "ball:d=4,l=20", "ball:d=4,l=20,z=2").faults, 1U);
+}
+
+TEST(Waivers, StayWhereTheFindingDoesNotDependOnTheChange) {
+    const std::string text = kHead + "G0 Z-2\nZ5\nM30\n";
+    const auto faults = [&](const std::string& now, const std::string& written = {}) {
+        return afterChange(text, "ball:d=4,l=20", now, written).faults;
+    };
+    EXPECT_EQ(faults("ball:l=20.0,d=4"), 0U) << "another spelling";
+    EXPECT_EQ(faults("ball:d=4,l=20,maxap=9"), 0U) << "a limit";
+    EXPECT_EQ(faults("ball:d=4,l=20,so=60,holder=40x30"), 0U) << "a rapid is about the cutting edges";
+    EXPECT_EQ(faults("ball:d=4,l=20", "ball: l=20, d=4, so=9, maxap=9"), 0U) << "as the tool table has it";
+    EXPECT_EQ(faults("ball:d=4,l=20", "not a cutter"), 1U);
+}
+
+TEST(Waivers, OfTheHolderEndWithAnotherHolder) {
+    const std::string text = kHead + "G1 Z-2 F100\nG0 Z5\nM30\n";
+    const std::string tool = "flat:d=4,l=1,so=1.5,holder=20x10";
+    EXPECT_EQ(afterChange(text, tool, tool).faults, afterChange(text, tool, tool + ",maxap=9").faults);
+    EXPECT_GT(afterChange(text, tool, "flat:d=4,l=1,so=1.5,holder=20x11").faults,
+              afterChange(text, tool, tool).faults);
+}
+
 TEST(Waivers, OfAnUnknownWordLeaveTheRestVerified) {
     const std::string text = kHead + "G1 Z-2 F100\nG987\nX20\nG0 Z5\nM30\n";
     EXPECT_EQ(reportOf(text, waiving(text)).verdict(), Verdict::safe);

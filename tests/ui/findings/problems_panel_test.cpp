@@ -265,6 +265,21 @@ private slots:
         QCOMPARE(bench.rowOf("waiver-unused"), -1);
     }
 
+    void aWaiverOfAnotherCutterIsRemoved() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        const CheckReport& report = *bench.session.check().report();
+        CheckRules rules;
+        rules.waivers = {report.waiverOf(report.findings.front(), "a", "b")};
+        rules.waivers.front().cutter = "drill:d=1,angle=118";
+        bench.session.job().setCheck(rules);
+        QCOMPARE(bench.session.check().report()->faults(), std::size_t{1});
+        QVERIFY(
+            bench.textOf("waiver-unused", ProblemsModel::kSentence).contains(QStringLiteral("drill:d=1")));
+        QVERIFY(bench.choose(bench.rowOf("waiver-unused"), "remove-waiver"));
+        QVERIFY(bench.session.job().check().waivers.empty());
+    }
+
     void aRuleIsTurnedOffForTheJobOrATool() {
         Bench bench;
         QVERIFY(bench.openWithRapids());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/setup/tool_spec.h"
+#include "core/cutter/tool_spec.h"
 
 #include <algorithm>
 #include <charconv>
@@ -21,13 +21,18 @@ std::vector<ShapeKey> keysOf(std::string_view shape) {
 
 namespace {
 
+std::string_view withoutSpaces(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+    return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
 /// Adopts the value if the tool has this key.
 void readPair(std::string_view pair, ToolSpec& tool) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string_view::npos)
         return;
-    const std::string key(pair.substr(0, equals));
-    const std::string_view given = pair.substr(equals + 1);
+    const std::string key(withoutSpaces(pair.substr(0, equals)));
+    const std::string_view given = withoutSpaces(pair.substr(equals + 1));
     if (const auto text = tool.texts.find(key); text != tool.texts.end())
         text->second = given;
     double value = 0;
@@ -50,7 +55,7 @@ std::string valueToReport(const ToolSpec& spec, const ShapeKey& key) {
 ToolSpec readSpec(std::string_view spec) {
     ToolSpec tool;
     const std::size_t colon = std::min(spec.find(':'), spec.size());
-    tool.shape = spec.substr(0, colon);
+    tool.shape = withoutSpaces(spec.substr(0, colon));
     for (const ShapeKey& key : keysOf(tool.shape)) {
         if (key.isText())
             tool.texts[key.key] = key.defaultText;
