@@ -4955,10 +4955,6 @@ Vorgabe: 0 mm</translation>
         <translation>Unbekannte Form des Spannmittels</translation>
     </message>
     <message>
-        <source>A fixture cannot have the shape &quot;{}&quot;; it can be a box or a cylinder.</source>
-        <translation>Ein Spannmittel kann nicht die Form „{}“ haben; es kann box oder cylinder sein.</translation>
-    </message>
-    <message>
         <source>Unknown fixture key</source>
         <translation>Unbekannter Schlüssel des Spannmittels</translation>
     </message>
@@ -8406,6 +8402,154 @@ Vorgabe: 0 mm</translation>
         <source>The waiver of {1} by {2} ({3}) has no effect: T{4} is now “{5}”, it was “{6}”.</source>
         <translation>Die Freigabe von {1} durch {2} ({3}) ist wirkungslos: T{4} ist jetzt „{5}“, war aber „{6}“.</translation>
     </message>
+    <message>
+        <source>About its Z axis, counter-clockwise from above.</source>
+        <translation>Um die eigene Z-Achse, von oben gesehen gegen den Uhrzeigersinn.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Millimetres in a unit of the file: 1, or 25.4 for inches.</source>
+        <translation>Millimeter je Einheit der Datei: 1, oder 25,4 für Zoll.</translation>
+    </message>
+    <message>
+        <source>Zero X</source>
+        <translation>Nullpunkt X</translation>
+    </message>
+    <message>
+        <source>Zero Y</source>
+        <translation>Nullpunkt Y</translation>
+    </message>
+    <message>
+        <source>Zero Z</source>
+        <translation>Nullpunkt Z</translation>
+    </message>
+    <message>
+        <source>A fixture cannot have the shape &quot;{}&quot;; it can be a box, a cylinder or a mesh (stl).</source>
+        <translation>Ein Spannmittel kann nicht die Form „{}“ haben, nur Quader (box), Zylinder (cylinder) oder Netz (stl).</translation>
+    </message>
+    <message>
+        <source>Fixture without a file</source>
+        <translation>Spannmittel ohne Datei</translation>
+    </message>
+    <message>
+        <source>A fixture of the shape &quot;stl&quot; needs the name of its file, as in stl:file=vice.stl.</source>
+        <translation>Ein Spannmittel der Form „stl“ braucht den Namen seiner Datei, z. B. stl:file=vice.stl.</translation>
+    </message>
+    <message>
+        <source>Fixture not checked</source>
+        <translation>Spannmittel nicht geprüft</translation>
+    </message>
+    <message>
+        <source>The fixture &quot;{}&quot; is not checked, because its file cannot be used: {}</source>
+        <translation>Das Spannmittel „{}“ wird nicht geprüft, weil seine Datei nicht verwendbar ist: {}</translation>
+    </message>
+    <message>
+        <source>Correct the file, or choose another one.</source>
+        <translation>Korrigieren Sie die Datei, oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The file of the fixture has not been read.</source>
+        <translation>Die Datei des Spannmittels wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The mesh has {} facets; a fixture can have {}.</source>
+        <translation>Das Netz hat {} Facetten; ein Spannmittel kann {} haben.</translation>
+    </message>
+    <message>
+        <source>Simplify the mesh.</source>
+        <translation>Vereinfachen Sie das Netz.</translation>
+    </message>
+    <message>
+        <source>The file has {}; that of a fixture can have {}.</source>
+        <translation>Die Datei hat {}; die eines Spannmittels kann {} haben.</translation>
+    </message>
+    <message>
+        <source>The mesh has a coordinate beyond {} mm.</source>
+        <translation>Das Netz hat eine Koordinate jenseits von {} mm.</translation>
+    </message>
+    <message>
+        <source>Fixture with holes</source>
+        <translation>Spannmittel mit Löchern</translation>
+    </message>
+    <message>
+        <source>The fixture &quot;{}&quot; is not checked where its mesh has holes: {}</source>
+        <translation>Das Spannmittel „{}“ wird dort nicht geprüft, wo sein Netz Löcher hat: {}</translation>
+    </message>
+    <message>
+        <source>Export it again as one closed solid.</source>
+        <translation>Exportieren Sie es noch einmal als einen geschlossenen Körper.</translation>
+    </message>
+    <message>
+        <source>Clearance of holders</source>
+        <translation>Abstand der Halter</translation>
+    </message>
+    <message>
+        <source>A shank or holder that comes nearer to the stock is reported; 0: none.</source>
+        <translation>Schaft oder Halter, die dem Rohteil näher kommen, werden gemeldet; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Tool change X</source>
+        <translation>Werkzeugwechsel X</translation>
+    </message>
+    <message>
+        <source>Machine coordinate X that M6 needs; -1000000: any. Leave it if M6 itself moves there.</source>
+        <translation>Maschinenkoordinate X, die M6 verlangt; -1000000: beliebig. Nicht angeben, wenn M6 selbst dorthin fährt.</translation>
+    </message>
+    <message>
+        <source>Tool change Y</source>
+        <translation>Werkzeugwechsel Y</translation>
+    </message>
+    <message>
+        <source>The same for Y.</source>
+        <translation>Dasselbe für Y.</translation>
+    </message>
+    <message>
+        <source>Tool change Z</source>
+        <translation>Werkzeugwechsel Z</translation>
+    </message>
+    <message>
+        <source>The same for Z, with the face of the spindle there.</source>
+        <translation>Dasselbe für Z, mit der Spindelnase dort.</translation>
+    </message>
+    <message>
+        <source>Tool change elsewhere</source>
+        <translation>Werkzeugwechsel am falschen Ort</translation>
+    </message>
+    <message>
+        <source>{3} is {1} mm away from the tool change position, {2} mm in machine coordinates, when the tool is changed.</source>
+        <translation>{3} ist beim Werkzeugwechsel {1} mm von der Wechselposition entfernt, die in Maschinenkoordinaten bei {2} mm liegt.</translation>
+    </message>
+    <message>
+        <source>Move there before M6, for example with G28 or G53.</source>
+        <translation>Fahren Sie vor M6 dorthin, zum Beispiel mit G28 oder G53.</translation>
+    </message>
+    <message>
+        <source>Holder close to stock</source>
+        <translation>Halter nahe am Rohteil</translation>
+    </message>
+    <message>
+        <source>The holder passes nearer than {2} mm to the stock, by {1} mm. To the sides, up to {3} mm of this may be due to the grid.</source>
+        <translation>Der Halter kommt dem Rohteil näher als {2} mm, um {1} mm. Seitlich können bis zu {3} mm davon am Gitter liegen.</translation>
+    </message>
+    <message>
+        <source>Extend the tool, choose a slimmer holder or a finer grid, or reduce holderClearance.</source>
+        <translation>Spannen Sie das Werkzeug länger, wählen Sie einen schlankeren Halter oder ein feineres Gitter, oder verkleinern Sie holderClearance.</translation>
+    </message>
+    <message>
+        <source>Shank close to stock</source>
+        <translation>Schaft nahe am Rohteil</translation>
+    </message>
+    <message>
+        <source>The shank passes nearer than {2} mm to the stock, by {1} mm. To the sides, up to {3} mm of this may be due to the grid.</source>
+        <translation>Der Schaft kommt dem Rohteil näher als {2} mm, um {1} mm. Seitlich können bis zu {3} mm davon am Gitter liegen.</translation>
+    </message>
+    <message>
+        <source>Choose a tool with longer flutes or a finer grid, or reduce holderClearance.</source>
+        <translation>Wählen Sie ein Werkzeug mit längeren Schneiden oder ein feineres Gitter, oder verkleinern Sie holderClearance.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -9059,6 +9203,22 @@ Vorgabe: 0 mm</translation>
         <source>Findings name the fixture like this</source>
         <translation>So nennen Befunde das Spannmittel</translation>
     </message>
+    <message>
+        <source>Mesh (STL)…</source>
+        <translation>Netz (STL)…</translation>
+    </message>
+    <message>
+        <source>Mesh of a Fixture</source>
+        <translation>Netz eines Spannmittels</translation>
+    </message>
+    <message>
+        <source>Mesh (%1)</source>
+        <translation>Netz (%1)</translation>
+    </message>
+    <message>
+        <source>Not read</source>
+        <translation>Nicht gelesen</translation>
+    </message>
 </context>
 <context>
     <name>ForeignNotice</name>
@@ -9258,6 +9418,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Typical machines by kind and size, to begin with</source>
         <translation>Typische Maschinen nach Art und Größe, für den Anfang</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
     </message>
 </context>
 <context>
@@ -9692,6 +9856,10 @@ Vorgabe: 0 mm</translation>
         <source>Waived</source>
         <translation>Freigegeben</translation>
     </message>
+    <message>
+        <source>Of the check before the last change</source>
+        <translation>Aus der Prüfung vor der letzten Änderung</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsPanel</name>
@@ -9786,6 +9954,22 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Turn It Off for T%1</source>
         <translation>Für T%1 ausschalten</translation>
+    </message>
+    <message>
+        <source>New: %1</source>
+        <translation>Neu: %1</translation>
+    </message>
+    <message>
+        <source>Gone: %1</source>
+        <translation>Behoben: %1</translation>
+    </message>
+    <message>
+        <source>checking…</source>
+        <translation>wird geprüft…</translation>
+    </message>
+    <message>
+        <source>No problems found (%1).</source>
+        <translation>Keine Probleme gefunden (%1).</translation>
     </message>
 </context>
 <context>

@@ -4955,10 +4955,6 @@ Default: 0 mm</source>
         <translation>알 수 없는 고정구 형상</translation>
     </message>
     <message>
-        <source>A fixture cannot have the shape &quot;{}&quot;; it can be a box or a cylinder.</source>
-        <translation>고정구는 &quot;{}&quot; 형상일 수 없습니다. box 또는 cylinder여야 합니다.</translation>
-    </message>
-    <message>
         <source>Unknown fixture key</source>
         <translation>알 수 없는 고정구 키</translation>
     </message>
@@ -8406,6 +8402,154 @@ Default: 0 mm</source>
         <source>The waiver of {1} by {2} ({3}) has no effect: T{4} is now “{5}”, it was “{6}”.</source>
         <translation>{1} 항목에 대한 {2}의 예외({3})는 효력이 없습니다. T{4}는 현재 “{5}”이고, 이전에는 “{6}”이었습니다.</translation>
     </message>
+    <message>
+        <source>About its Z axis, counter-clockwise from above.</source>
+        <translation>자체 Z축 기준, 위에서 볼 때 반시계 방향.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>배율</translation>
+    </message>
+    <message>
+        <source>Millimetres in a unit of the file: 1, or 25.4 for inches.</source>
+        <translation>파일 단위당 밀리미터: 1, 인치이면 25.4.</translation>
+    </message>
+    <message>
+        <source>Zero X</source>
+        <translation>원점 X</translation>
+    </message>
+    <message>
+        <source>Zero Y</source>
+        <translation>원점 Y</translation>
+    </message>
+    <message>
+        <source>Zero Z</source>
+        <translation>원점 Z</translation>
+    </message>
+    <message>
+        <source>A fixture cannot have the shape &quot;{}&quot;; it can be a box, a cylinder or a mesh (stl).</source>
+        <translation>고정구의 형상은 &quot;{}&quot;일 수 없습니다. 상자(box), 원기둥(cylinder) 또는 메시(stl)만 가능합니다.</translation>
+    </message>
+    <message>
+        <source>Fixture without a file</source>
+        <translation>파일 없는 고정구</translation>
+    </message>
+    <message>
+        <source>A fixture of the shape &quot;stl&quot; needs the name of its file, as in stl:file=vice.stl.</source>
+        <translation>형상이 &quot;stl&quot;인 고정구에는 파일 이름이 필요합니다(예: stl:file=vice.stl).</translation>
+    </message>
+    <message>
+        <source>Fixture not checked</source>
+        <translation>고정구 확인 안 됨</translation>
+    </message>
+    <message>
+        <source>The fixture &quot;{}&quot; is not checked, because its file cannot be used: {}</source>
+        <translation>고정구 &quot;{}&quot;의 파일을 사용할 수 없어 확인하지 않습니다. {}</translation>
+    </message>
+    <message>
+        <source>Correct the file, or choose another one.</source>
+        <translation>파일을 고치거나 다른 파일을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>The file of the fixture has not been read.</source>
+        <translation>고정구 파일을 읽지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The mesh has {} facets; a fixture can have {}.</source>
+        <translation>메시의 면이 {}개입니다. 고정구는 {}개까지 가능합니다.</translation>
+    </message>
+    <message>
+        <source>Simplify the mesh.</source>
+        <translation>메시를 단순화하십시오.</translation>
+    </message>
+    <message>
+        <source>The file has {}; that of a fixture can have {}.</source>
+        <translation>파일 크기가 {}입니다. 고정구 파일은 {}까지 가능합니다.</translation>
+    </message>
+    <message>
+        <source>The mesh has a coordinate beyond {} mm.</source>
+        <translation>메시에 {}mm를 넘는 좌표가 있습니다.</translation>
+    </message>
+    <message>
+        <source>Fixture with holes</source>
+        <translation>구멍 난 고정구</translation>
+    </message>
+    <message>
+        <source>The fixture &quot;{}&quot; is not checked where its mesh has holes: {}</source>
+        <translation>고정구 &quot;{}&quot;는 메시에 구멍이 있는 곳을 확인하지 않습니다. {}</translation>
+    </message>
+    <message>
+        <source>Export it again as one closed solid.</source>
+        <translation>닫힌 솔리드 하나로 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>Clearance of holders</source>
+        <translation>홀더 간격</translation>
+    </message>
+    <message>
+        <source>A shank or holder that comes nearer to the stock is reported; 0: none.</source>
+        <translation>섕크나 홀더가 소재에 이보다 가까워지면 보고합니다. 0: 보고 안 함.</translation>
+    </message>
+    <message>
+        <source>Tool change X</source>
+        <translation>공구 교환 X</translation>
+    </message>
+    <message>
+        <source>Machine coordinate X that M6 needs; -1000000: any. Leave it if M6 itself moves there.</source>
+        <translation>M6에 필요한 기계 좌표 X. -1000000: 제한 없음. M6이 직접 이동하면 그대로 두십시오.</translation>
+    </message>
+    <message>
+        <source>Tool change Y</source>
+        <translation>공구 교환 Y</translation>
+    </message>
+    <message>
+        <source>The same for Y.</source>
+        <translation>Y도 같습니다.</translation>
+    </message>
+    <message>
+        <source>Tool change Z</source>
+        <translation>공구 교환 Z</translation>
+    </message>
+    <message>
+        <source>The same for Z, with the face of the spindle there.</source>
+        <translation>Z도 같으며, 주축 단면 기준입니다.</translation>
+    </message>
+    <message>
+        <source>Tool change elsewhere</source>
+        <translation>다른 위치에서 공구 교환</translation>
+    </message>
+    <message>
+        <source>{3} is {1} mm away from the tool change position, {2} mm in machine coordinates, when the tool is changed.</source>
+        <translation>공구를 교환할 때 {3}축이 공구 교환 위치(기계 좌표 {2}mm)에서 {1}mm 떨어져 있습니다.</translation>
+    </message>
+    <message>
+        <source>Move there before M6, for example with G28 or G53.</source>
+        <translation>M6 전에 그 위치로 이동하십시오(예: G28 또는 G53).</translation>
+    </message>
+    <message>
+        <source>Holder close to stock</source>
+        <translation>소재에 가까운 홀더</translation>
+    </message>
+    <message>
+        <source>The holder passes nearer than {2} mm to the stock, by {1} mm. To the sides, up to {3} mm of this may be due to the grid.</source>
+        <translation>홀더가 소재에 {2}mm보다 {1}mm 더 가깝게 지나갑니다. 옆 방향으로는 이 중 최대 {3}mm가 격자 때문일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Extend the tool, choose a slimmer holder or a finer grid, or reduce holderClearance.</source>
+        <translation>공구를 더 길게 물리거나, 더 가는 홀더 또는 더 촘촘한 격자를 선택하거나, holderClearance를 줄이십시오.</translation>
+    </message>
+    <message>
+        <source>Shank close to stock</source>
+        <translation>소재에 가까운 섕크</translation>
+    </message>
+    <message>
+        <source>The shank passes nearer than {2} mm to the stock, by {1} mm. To the sides, up to {3} mm of this may be due to the grid.</source>
+        <translation>섕크가 소재에 {2}mm보다 {1}mm 더 가깝게 지나갑니다. 옆 방향으로는 이 중 최대 {3}mm가 격자 때문일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Choose a tool with longer flutes or a finer grid, or reduce holderClearance.</source>
+        <translation>날이 더 긴 공구나 더 촘촘한 격자를 선택하거나, holderClearance를 줄이십시오.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -9058,6 +9202,22 @@ Default: 0 mm</source>
         <source>Findings name the fixture like this</source>
         <translation>검사 결과에 이 이름으로 표시됩니다</translation>
     </message>
+    <message>
+        <source>Mesh (STL)…</source>
+        <translation>메시(STL)…</translation>
+    </message>
+    <message>
+        <source>Mesh of a Fixture</source>
+        <translation>고정구 메시</translation>
+    </message>
+    <message>
+        <source>Mesh (%1)</source>
+        <translation>메시(%1)</translation>
+    </message>
+    <message>
+        <source>Not read</source>
+        <translation>읽지 않음</translation>
+    </message>
 </context>
 <context>
     <name>ForeignNotice</name>
@@ -9257,6 +9417,10 @@ Default: 0 mm</source>
     <message>
         <source>Typical machines by kind and size, to begin with</source>
         <translation>종류와 크기별 대표 기계(시작값)</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>제한 없음</translation>
     </message>
 </context>
 <context>
@@ -9691,6 +9855,10 @@ Default: 0 mm</source>
         <source>Waived</source>
         <translation>예외 처리됨</translation>
     </message>
+    <message>
+        <source>Of the check before the last change</source>
+        <translation>마지막 변경 전의 검사 결과</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsPanel</name>
@@ -9785,6 +9953,22 @@ Default: 0 mm</source>
     <message>
         <source>Turn It Off for T%1</source>
         <translation>T%1에서만 끄기</translation>
+    </message>
+    <message>
+        <source>New: %1</source>
+        <translation>새로: %1</translation>
+    </message>
+    <message>
+        <source>Gone: %1</source>
+        <translation>해결: %1</translation>
+    </message>
+    <message>
+        <source>checking…</source>
+        <translation>검사 중…</translation>
+    </message>
+    <message>
+        <source>No problems found (%1).</source>
+        <translation>문제가 없습니다(%1).</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "app/cli/digest.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "core/formats/job_paths.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/verification/findings/findings.h"
 
@@ -32,6 +33,7 @@ public:
         if (auto fits = m_options.settings.apply(m_job.check); !fits)
             return refuse(std::move(fits.error()));
         m_checked.program = m_job.program;
+        m_checked.files = filesOf(m_job);
         if (auto read = interpret(); !read)
             return refuse(m_job.warnings, read.error());
         const bool hasStock = isJob(m_checked.input) || m_options.setup.stockGiven();
@@ -180,8 +182,9 @@ nlohmann::ordered_json toJson(const CheckedProgram& checked) {
                                  {"z", of.start.z}});
     auto inputs = nlohmann::ordered_json::array();
     addInput(inputs, checked.input);
-    if (checked.program != checked.input)
-        addInput(inputs, checked.program);
+    for (const std::filesystem::path& file : checked.files)
+        if (file != checked.input)
+            addInput(inputs, file);
     return {{"program", checked.program.empty() ? checked.input.string() : checked.program.string()},
             {"verdict", name(checked.report.verdict())},
             {"exitCode", static_cast<int>(checked.exitCode())},

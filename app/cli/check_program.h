@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,8 @@ struct CheckOptions {
 struct CheckedProgram {
     std::filesystem::path input; ///< a program or a job
     std::filesystem::path program;
-    bool unusable = false; ///< it could not be read, or its setup is impossible
+    std::vector<std::filesystem::path> files = {}; ///< that the job names
+    bool unusable = false;                         ///< it could not be read, or its setup is impossible
     CheckReport report = {};
     double seconds = 0;
 

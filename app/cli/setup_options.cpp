@@ -3,12 +3,15 @@
 
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "app/cli/option_error.h"
 #include "core/base/memory.h"
 #include "core/cutter/tool_file.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/formats/fixture_file.h"
 #include "core/formats/job_findings.h"
+#include "core/formats/job_paths.h"
 #include "core/formats/stock_shapes.h"
 #include "core/nc/codes/dialects.h"
 #include "core/simulation/setup/automatic_grid.h"
@@ -95,8 +98,8 @@ void FixtureOptions::addTo(CLI::App& command) {
     command
         .add_option("--fixture", fixtures,
                     "What holds the stock, e.g. jaw=box:x=-20,y=0,z=-30,w=20,d=80,h=25 or "
-                    "screw=cylinder:x=9,y=9,z=0,d=12,h=8; mm, x and y of the corner or the axis, z of the "
-                    "bottom; repeatable")
+                    "screw=cylinder:x=9,y=9,z=0,d=12,h=8 (mm, x and y of the corner or the axis, z of the "
+                    "bottom) or vice=stl:x=0,y=0,z=-30,turn=90,scale=1,file=vice.stl; repeatable")
         ->type_name("NAME=SHAPE:key=value,…")
         ->allow_extra_args(false);
 }
@@ -106,6 +109,10 @@ Result<void> FixtureOptions::apply(Fixtures& into) const {
         auto fixture = parseFixtureOption(option);
         if (!fixture)
             return aboutOption("--fixture", std::move(fixture.error()));
+        if (auto* mesh = std::get_if<FixtureMesh>(&fixture->second)) {
+            mesh->file = absolutePath(mesh->file);
+            readFixtureFile(*mesh);
+        }
         into[fixture->first] = fixture->second;
     }
     return {};

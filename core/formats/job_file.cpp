@@ -16,6 +16,7 @@
 #include "core/base/tool_number.h"
 #include "core/decimation/regions/region_decimator.h"
 #include "core/formats/described_json.h"
+#include "core/formats/fixture_file.h"
 #include "core/formats/job_findings.h"
 #include "core/formats/job_json.h"
 #include "core/formats/stock_position_json.h"
@@ -193,16 +194,36 @@ ordered_json toJson(const ToolOrigin& origin) {
 
 constexpr const char* kFixtures = "fixtures";
 
-void readFixtures(JsonFields& job, Fixtures& fixtures) {
+/// The file of a mesh, which is read even if the job turns out to have errors.
+void reachFixtureFile(JsonFields& fields, const std::string& name, const Reach& reach, Fixture& fixture) {
+    auto* mesh = std::get_if<FixtureMesh>(&fixture);
+    if (mesh == nullptr)
+        return;
+    mesh->file = reachedFile(fields, name.c_str(), mesh->file.string(), reach);
+    if (!mesh->file.empty())
+        readFixtureFile(*mesh);
+}
+
+void readFixtures(JsonFields& job, const Reach& reach, Fixtures& fixtures) {
     if (!job.has(kFixtures))
         return;
     JsonFields fields = job.object(kFixtures);
     fields.eachString([&](const std::string& name, const std::string& text) {
-        if (auto fixture = parseFixture(text))
-            fixtures[name] = *fixture;
-        else
+        auto fixture = parseFixture(text);
+        if (!fixture) {
             fields.fail(name, job_finding::kJobFieldFixture, {message(fixture.error().front())});
+            return;
+        }
+        reachFixtureFile(fields, name, reach, *fixture);
+        fixtures[name] = std::move(*fixture);
     });
+}
+
+/// The text of a fixture, with its file relative to the folder of the job.
+std::string storedText(Fixture fixture, const fs::path& folder) {
+    if (auto* mesh = std::get_if<FixtureMesh>(&fixture))
+        mesh->file = absolutePath(mesh->file).lexically_proximate(folder);
+    return fixtureText(fixture);
 }
 
 void readMachine(JsonFields& job, std::optional<Machine>& machine) {
@@ -344,7 +365,7 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     describeGrid(job.setup, FieldReader{fields});
     readTools(fields.object("tools"), job.setup.tools);
     readUnconfirmed(fields, job.setup.tools);
-    readFixtures(fields, job.setup.fixtures);
+    readFixtures(fields, reach, job.setup.fixtures);
     describeControl(job.setup, FieldReader{fields});
     readMachine(fields, job.machine);
     readCheck(fields, job.check);
@@ -371,7 +392,7 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     for (const auto& [number, origin] : setup.tools.unconfirmed())
         out[kUnconfirmed][std::to_string(number)] = toJson(origin);
     for (const auto& [name, fixture] : setup.fixtures)
-        out[kFixtures][name] = fixtureText(fixture);
+        out[kFixtures][name] = storedText(fixture, folderOfJob(file));
     describeControl(setup, FieldWriter{out});
     if (job.machine)
         describe(*job.machine, FieldWriter{out["machine"]});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <variant>
 
 #include "core/formats/job_file.h"
 
@@ -28,12 +29,21 @@ bool isOutside(const fs::path& folder, const fs::path& file) {
     return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first != folder.end();
 }
 
+std::vector<fs::path> filesOf(const Job& job) {
+    std::vector<fs::path> files{job.program, job.setup.shape.file};
+    for (const auto& named : job.setup.fixtures)
+        if (const auto* mesh = std::get_if<FixtureMesh>(&named.second))
+            files.push_back(mesh->file);
+    std::erase_if(files, [](const fs::path& file) { return file.empty(); });
+    return files;
+}
+
 std::vector<fs::path> outsideFiles(const fs::path& jobFile, const Job& job) {
     const fs::path folder = folderOfJob(jobFile);
     std::vector<fs::path> outside;
-    for (const fs::path& named : {job.program, job.setup.shape.file}) {
-        const fs::path file = named.empty() ? fs::path() : absolutePath(named);
-        if (!file.empty() && isOutside(folder, file) && std::ranges::find(outside, file) == outside.end())
+    for (const fs::path& named : filesOf(job)) {
+        const fs::path file = absolutePath(named);
+        if (isOutside(folder, file) && std::ranges::find(outside, file) == outside.end())
             outside.push_back(file);
     }
     return outside;

@@ -28,7 +28,10 @@ using OutsideRule = std::function<bool(const std::filesystem::path& file)>;
 /// from absolutePath().
 [[nodiscard]] bool isOutside(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-/// The files that a job in this file would name outside its folder: program and stock, without repetition.
+/// The files that a job names: its program, that of its stock, those of its fixtures.
+[[nodiscard]] std::vector<std::filesystem::path> filesOf(const Job& job);
+
+/// Those that a job in this file would name outside its folder, without repetition.
 [[nodiscard]] std::vector<std::filesystem::path> outsideFiles(const std::filesystem::path& jobFile,
                                                               const Job& job);
 

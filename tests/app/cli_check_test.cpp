@@ -98,6 +98,31 @@ TEST_F(CliCheck, APlantedFaultIsFoundAtItsLineAndItsTwinIsSafe) {
     }
 }
 
+TEST_F(CliCheck, AFixtureOfAFileIsCheckedAndAMissingOneIsNeverSafe) {
+    write("part.nc", kHead + "G1 Z-2 F100\nX20\nG0 Z0.5\nX60\n" + kEnd);
+    std::string wall = "solid\n"; // only its top, from (48, 0) to (50, 30) at Z5
+    for (const char* corners : {"vertex 0 0 15\nvertex 2 30 15\nvertex 0 30 15\n",
+                                "vertex 0 0 15\nvertex 2 0 15\nvertex 2 30 15\n"})
+        wall += std::string("facet normal 0 0 1\nouter loop\n") + corners + "endloop\nendfacet\n";
+    write("wall.stl", wall + "endsolid\n");
+    const std::string options = "check part.nc --json --stock 40x30x10 --tool 1=ball:d=4,l=20 --fixture ";
+    const Finished hit = run(options + "wall=stl:x=48,z=-10,file=wall.stl");
+    EXPECT_EQ(hit.exitCode, 1) << hit.out;
+    std::map<std::string, nlohmann::json> byId;
+    const nlohmann::json result = hit.json();
+    for (const nlohmann::json& finding : result["findings"])
+        byId[finding["id"]] = finding;
+    ASSERT_TRUE(byId.contains("fixture-collision"));
+    EXPECT_EQ(byId["fixture-collision"]["line"], 8);
+    EXPECT_NEAR(byId["fixture-collision"]["value"].get<double>(), 4.5, 0.1);
+    EXPECT_TRUE(byId.contains("fixture-incomplete")) << "it is not closed";
+    const std::string inputs = hit.json()["inputs"].dump();
+    EXPECT_NE(inputs.find("wall.stl"), std::string::npos) << "a change of it is noticed by --resume";
+    const Finished missing = run(options + "wall=stl:file=missing.stl" + kAcceptAll);
+    EXPECT_EQ(missing.exitCode, 2);
+    EXPECT_NE(missing.err.find("fixture-unread"), std::string::npos) << missing.err;
+}
+
 TEST_F(CliCheck, APieceThatComesLooseHasItsVolume) {
     const std::string options = " --stock 40x40x5 --grid 0.25 --tool 1=flat:d=4,l=20";
     const auto ring = [](const std::string& last) {

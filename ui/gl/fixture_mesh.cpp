@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/cutting/fixtures/fixture_surface.h"
+
 namespace proveout {
 
 namespace {
@@ -75,14 +77,20 @@ void addSolid(Faces faces, const FixtureCylinder& cylinder, const Vec3& origin) 
     }
 }
 
-Box3 boundsOfShape(const FixtureBox& box) {
-    const Vec3 low(box.x, box.y, box.z);
-    return {low, low + Vec3(box.w, box.d, box.h)};
-}
-Box3 boundsOfShape(const FixtureCylinder& cylinder) {
-    const Vec3 low(cylinder.x, cylinder.y, cylinder.z);
-    const Vec3 radius(cylinder.d / 2, cylinder.d / 2, 0);
-    return {low - radius, low + radius + Vec3(0, 0, cylinder.h)};
+/// Each facet is flat. One without area has no normal, and nothing of it would be seen.
+void addSolid(Faces faces, const FixtureMesh& mesh, const Vec3& origin) {
+    if (!isUsable(mesh))
+        return;
+    const FixtureTurn turn(mesh.turn, mesh.scale);
+    const Vec3 zero = Vec3(mesh.x, mesh.y, mesh.z) - origin;
+    for (const FixtureFacet& facet : mesh.surface->facets()) {
+        const Vec3 a = zero + turn(facet[0]);
+        const Vec3 b = zero + turn(facet[1]);
+        const Vec3 c = zero + turn(facet[2]);
+        const Vec3 normal = glm::cross(b - a, c - a);
+        if (const double area = glm::length(normal); area > 0)
+            faces.triangle(a, b, c, normal / area);
+    }
 }
 
 } // namespace
@@ -95,10 +103,6 @@ std::vector<SolidVertex> fixtureMesh(const Fixtures& fixtures, const Vec3& origi
         ++part;
     }
     return vertices;
-}
-
-Box3 boundsOf(const Fixture& fixture) {
-    return std::visit([](const auto& shape) { return boundsOfShape(shape); }, fixture);
 }
 
 } // namespace proveout

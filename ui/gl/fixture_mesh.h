@@ -21,7 +21,4 @@ struct SolidVertex {
 /// seen from outside; mm from `origin`, so that single precision is sufficient.
 [[nodiscard]] std::vector<SolidVertex> fixtureMesh(const Fixtures& fixtures, const Vec3& origin);
 
-/// The box around a fixture.
-[[nodiscard]] Box3 boundsOf(const Fixture& fixture);
-
 } // namespace proveout

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -15,7 +17,10 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "core/cutting/fixtures/fixture_surface.h"
 #include "core/cutting/fixtures/fixture_templates.h"
+#include "core/formats/fixture_file.h"
+#include "ui/document/file_paths.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/look/panel_layout.h"
 #include "ui/look/typed_text.h"
@@ -30,8 +35,10 @@ constexpr int kRowsShown = 4;
 constexpr double kNewSize = 20; ///< mm
 constexpr std::array kMenu{
     QT_TRANSLATE_NOOP("FixtureEditor", "Box"), QT_TRANSLATE_NOOP("FixtureEditor", "Cylinder"),
-    QT_TRANSLATE_NOOP("FixtureEditor", "Vice…"), QT_TRANSLATE_NOOP("FixtureEditor", "Step Clamp…")};
-constexpr std::array kMenuNames{"fixture-box", "fixture-cylinder", "fixture-vice", "fixture-step-clamp"};
+    QT_TRANSLATE_NOOP("FixtureEditor", "Mesh (STL)…"), QT_TRANSLATE_NOOP("FixtureEditor", "Vice…"),
+    QT_TRANSLATE_NOOP("FixtureEditor", "Step Clamp…")};
+constexpr std::array kMenuNames{"fixture-box", "fixture-cylinder", "fixture-mesh", "fixture-vice",
+                                "fixture-step-clamp"};
 
 /// The name, or the first free one of "name 2", "name 3", …
 std::string freeName(const Fixtures& fixtures, const std::string& name) {
@@ -93,8 +100,8 @@ void FixtureEditor::build() {
 QMenu* FixtureEditor::makeAddMenu() {
     auto* menu = new QMenu(this);
     constexpr std::array<void (FixtureEditor::*)(), kMenu.size()> kRun{
-        &FixtureEditor::addBox, &FixtureEditor::addCylinder, &FixtureEditor::askForVice,
-        &FixtureEditor::askForStepClamp};
+        &FixtureEditor::addBox, &FixtureEditor::addCylinder, &FixtureEditor::askForMesh,
+        &FixtureEditor::askForVice, &FixtureEditor::askForStepClamp};
     for (std::size_t row = 0; row < kMenu.size(); ++row) {
         QAction* action = menu->addAction(QString(), this, kRun[row]);
         action->setObjectName(QLatin1String(kMenuNames[row]));
@@ -142,6 +149,21 @@ void FixtureEditor::addCylinder() {
                                         .z = m_stock.floorZ(),
                                         .d = kNewSize,
                                         .h = m_stock.height});
+    emit edited();
+}
+
+void FixtureEditor::askForMesh() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Mesh of a Fixture"), QString(),
+                                                      tr("Mesh (%1)").arg(QStringLiteral("*.stl")));
+    if (!file.isEmpty())
+        addMesh(file);
+}
+
+/// Its zero is that of the program: many are exported together with the part.
+void FixtureEditor::addMesh(const QString& file) {
+    FixtureMesh mesh{.file = toPath(file)};
+    readFixtureFile(mesh);
+    add(QFileInfo(file).completeBaseName(), mesh);
     emit edited();
 }
 
@@ -227,19 +249,30 @@ void FixtureEditor::fillList(const std::string& selected) {
 }
 
 /// "20 × 30 × 40", "⌀ 20 × 40"
-void FixtureEditor::showFixture(QTreeWidgetItem& item, const Fixture& fixture) const {
+QString FixtureEditor::sizeOf(const Fixture& fixture) const {
     const auto number = [this](double value) { return locale().toString(value, 'g', 6); };
-    const QString text =
-        std::holds_alternative<FixtureBox>(fixture)
-            ? QStringLiteral("%1 × %2 × %3")
-                  .arg(number(std::get<FixtureBox>(fixture).w), number(std::get<FixtureBox>(fixture).d),
-                       number(std::get<FixtureBox>(fixture).h))
-            : QStringLiteral("⌀ %1 × %2")
-                  .arg(number(std::get<FixtureCylinder>(fixture).d),
-                       number(std::get<FixtureCylinder>(fixture).h));
-    item.setText(1, text);
+    if (const auto* cylinder = std::get_if<FixtureCylinder>(&fixture))
+        return QStringLiteral("⌀ %1 × %2").arg(number(cylinder->d), number(cylinder->h));
+    const Box3 bounds = boundsOf(fixture);
+    const Vec3 size = bounds.hi - bounds.lo;
+    return QStringLiteral("%1 × %2 × %3").arg(number(size.x), number(size.y), number(size.z));
+}
+
+void FixtureEditor::showFixture(QTreeWidgetItem& item, const Fixture& fixture) const {
+    const auto* mesh = std::get_if<FixtureMesh>(&fixture);
+    const bool unread = mesh != nullptr && !isUsable(*mesh);
+    item.setText(1, unread ? tr("Not read") : sizeOf(fixture));
     item.setToolTip(0, item.text(0));
-    item.setToolTip(1, text);
+    item.setToolTip(1, mesh == nullptr ? item.text(1) : QString::fromStdString(mesh->file.string()));
+}
+
+/// What is wrong with the file of a mesh.
+QString FixtureEditor::problemOf(const Fixture& fixture) const {
+    const auto* mesh = std::get_if<FixtureMesh>(&fixture);
+    if (mesh == nullptr || !mesh->surface || mesh->surface->findings().empty())
+        return {};
+    const Diagnostic& first = mesh->surface->findings().front();
+    return sentence(first) + u' ' + hint(first);
 }
 
 void FixtureEditor::select() {
@@ -251,6 +284,7 @@ void FixtureEditor::select() {
     showProblem({});
     if (!any)
         return;
+    showProblem(problemOf(found->second));
     showText(*m_name, QString::fromStdString(found->first));
     std::visit([this](const auto& shape) { m_form->show(shape); }, found->second);
 }

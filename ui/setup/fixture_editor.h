@@ -30,6 +30,8 @@ public:
     void show(const Fixtures& fixtures, const StockBox& stock);
     /// Discards unfinished or invalid text, because it belongs to the previous document.
     void dropText();
+    /// Adds the mesh of an STL file.
+    void addMesh(const QString& file);
 
 signals:
     void edited();
@@ -44,6 +46,7 @@ private:
     void add(const QString& name, const Fixture& fixture);
     void addBox();
     void addCylinder();
+    void askForMesh();
     void askForVice();
     void askForStepClamp();
     void duplicateSelected();
@@ -53,6 +56,8 @@ private:
     void select();
     void fillList(const std::string& selected);
     void showFixture(QTreeWidgetItem& item, const Fixture& fixture) const;
+    [[nodiscard]] QString sizeOf(const Fixture& fixture) const;
+    [[nodiscard]] QString problemOf(const Fixture& fixture) const;
     void showProblem(const QString& problem);
     void retranslate();
     /// Empty: none.

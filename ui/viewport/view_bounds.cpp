@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cutting/fixtures/fixture_surface.h"
 #include "ui/gl/cutter_mesh.h"
-#include "ui/gl/fixture_mesh.h"
 #include "ui/viewport/surface_pick.h"
 
 namespace proveout {

@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/cutter/body_profiles.h"
+#include "core/cutting/fixtures/fixture_contact.h"
 #include "core/simulation/run/cutting_findings.h"
 #include "core/verification/findings/rule_findings.h"
 
@@ -117,12 +120,30 @@ Vec3 tipAt(const BlockMoments& moments, const Cutter& cutter, ToolPart part, con
     return place;
 }
 
+/// The column of a mesh that the tool touches at rest.
+FixtureBox touchedPart(const Vec3& tip, const Cutter& cutter, const FixtureMesh& mesh, double clearance) {
+    Motion rest;
+    rest.start = rest.end = tip;
+    rest.startKnown = rest.endKnown = kAllAxes;
+    const auto touched = columnContact(ToolOutline(cutter), rest, mesh, clearance);
+    return touched ? touched->column : FixtureBox{.x = tip.x, .y = tip.y, .z = tip.z};
+}
+template<class Solid>
+const Solid& touchedPart(const Vec3& /*tip*/, const Cutter& /*cutter*/, const Solid& solid,
+                         double /*clearance*/) {
+    return solid;
+}
+
 /// The lowest of the parts that reach the fixture, which counts as wider by `clearance`, touches it.
 void meetFixture(FoundContact& contact, const Cutter& cutter, const Fixture& fixture, double clearance) {
     constexpr double kTouching = 1e-3; // mm
     const Vec2 axis(contact.tip);
-    const Vec2 nearest = std::visit([&](const auto& shape) { return nearestOf(shape, axis); }, fixture);
-    const double top = std::visit([](const auto& shape) { return shape.z + shape.h; }, fixture);
+    const auto [nearest, top] = std::visit(
+        [&](const auto& shape) {
+            const auto& part = touchedPart(contact.tip, cutter, shape, clearance);
+            return std::pair(nearestOf(part, axis), part.z + part.h);
+        },
+        fixture);
     contact.place = Vec3(nearest, std::max(top, contact.tip.z));
     const double away = std::max(0.0, glm::length(nearest - axis) - clearance);
     double lowest = std::numeric_limits<double>::infinity();

@@ -9,6 +9,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/tool_number.h"
+#include "core/cutting/fixtures/fixture_surface.h"
 #include "tests/core/formats/random_bytes.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/random_seed.h"
@@ -198,6 +199,21 @@ TEST_F(JobFile, FixturesAreNamed) {
     const Fixtures expected{{"jaw", FixtureBox{-20, 0, 0, 20, 80, 25}}};
     EXPECT_EQ(job->setup.fixtures, expected);
     EXPECT_THAT(reported(with("\"grid\"", R"("fixtures": {"jaw": "box:w=20"}, "grid")")), HasSubstr("jaw"));
+    const auto mesh =
+        read(with("\"grid\"", R"("fixtures": {"vice": "stl:x=5,turn=90,file=vices/a, b.stl"}, "grid")"));
+    ASSERT_TRUE(mesh) << "a file that is missing is reported by the check";
+    const auto& vice = std::get<FixtureMesh>(mesh->setup.fixtures.at("vice"));
+    EXPECT_EQ(vice.file, fs::canonical(m_folder.path()) / "vices/a, b.stl");
+    EXPECT_EQ(vice.turn, 90);
+    EXPECT_TRUE(vice.surface->facets().empty());
+    EXPECT_FALSE(vice.surface->findings().empty());
+    ASSERT_TRUE(writeJob(m_folder / "b.proveout", *mesh));
+    EXPECT_THAT(readFile(m_folder / "b.proveout").value(),
+                HasSubstr("\"stl:x=5,y=0,z=0,turn=90,scale=1,file=vices/a, b.stl\""));
+    EXPECT_THAT(reported(with("\"grid\"", R"("fixtures": {"vice": "stl:file=../a.stl"}, "grid")")),
+                HasSubstr("a.stl"))
+        << "outside the folder of the job";
+    EXPECT_FALSE(read(with("\"grid\"", R"("fixtures": {"vice": "stl:file=/a.stl"}, "grid")")));
     EXPECT_FALSE(read(with("\"grid\"", R"("fixtures": {"jaw": 3}, "grid")")));
     EXPECT_FALSE(read(with("\"grid\"", R"("fixtures": ["box:w=1,d=1,h=1"], "grid")")));
 }

@@ -104,6 +104,10 @@ TEST_F(JobPaths, WhatAJobWouldNameOutsideIsKnownBeforeItIsWritten) {
     job.setup.shape.file = m_root / "casting.stl";
     EXPECT_THAT(outsideFiles(m_root / "job/a.proveout", job),
                 ElementsAre(m_root / "part.nc", m_root / "casting.stl"));
+    job.setup.fixtures = {{"vice", FixtureMesh{.file = m_root / "vice.stl"}}, {"jaw", FixtureBox{}}};
+    EXPECT_THAT(outsideFiles(m_root / "job/a.proveout", job),
+                ElementsAre(m_root / "part.nc", m_root / "casting.stl", m_root / "vice.stl"));
+    job.setup.fixtures.clear();
     job.setup.shape.file = m_root / "job/../part.nc";
     EXPECT_THAT(outsideFiles(m_root / "job/a.proveout", job), ElementsAre(m_root / "part.nc"));
     EXPECT_TRUE(outsideFiles(m_root / "a.proveout", job).empty());

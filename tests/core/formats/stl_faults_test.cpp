@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faulty mesh files, which must not cause harm.
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +13,9 @@
 #include <random>
 #include <sstream>
 
+#include "core/cutting/fixtures/fixture_heights.h"
+#include "core/cutting/fixtures/fixture_surface.h"
+#include "core/formats/fixture_file.h"
 #include "core/formats/stl.h"
 #include "tests/core/formats/random_bytes.h"
 #include "tests/core/temporary_folder.h"
@@ -384,6 +389,84 @@ TEST(StlCorpus, EveryFaultIsReported) {
         EXPECT_TRUE(std::any_of(reported.begin(), reported.end(), [&id = id](const Diagnostic& diagnostic) {
             return diagnostic.id == id;
         })) << name;
+    }
+}
+
+// ---- files of fixtures ----
+
+/// What becomes of a file as that of a fixture: the ids of what is found, and whether it can be used.
+struct AsFixture {
+    bool usable = false;
+    std::vector<std::string> ids = {};
+    bool unverified = false;
+
+    friend bool operator==(const AsFixture&, const AsFixture&) = default;
+};
+
+AsFixture asFixture(const fs::path& file) {
+    FixtureMesh mesh{.file = file};
+    readFixtureFile(mesh);
+    AsFixture out{.usable = isUsable(mesh)};
+    for (const Diagnostic& finding : mesh.surface->findings())
+        out.ids.emplace_back(finding.id);
+    for (const Diagnostic& finding : findingsOf({{"vice", mesh}}))
+        out.unverified = out.unverified || finding.unverified;
+    return out;
+}
+
+TEST(FixtureFile, IsCheckedOrSaysWhyNot) {
+    const TemporaryFolder folder;
+    const auto with = [&](const std::string& bytes) {
+        folder.put("a.stl", bytes);
+        return asFixture(folder / "a.stl");
+    };
+    EXPECT_EQ(with(binaryStl(4, scaled(kTetrahedron, 5))), (AsFixture{true, {}, false}));
+    EXPECT_EQ(with("solid\n" + kAsciiFacet + "endsolid\n"),
+              (AsFixture{true, {"stl-not-closed", "stl-size-suspect"}, true}));
+    EXPECT_EQ(with(binaryStl(3, {kTetrahedron.begin(), kTetrahedron.begin() + 3})),
+              (AsFixture{true, {"stl-not-closed"}, true}));
+    Facets notANumber = kTetrahedron;
+    notANumber.push_back({Corner{0, NAN, 0}, Corner{0, 9, 0}, Corner{9, 0, 0}});
+    EXPECT_EQ(with(binaryStl(5, notANumber)), (AsFixture{true, {"stl-not-finite"}, true}));
+    EXPECT_EQ(with(binaryStl(9, kTetrahedron)), (AsFixture{false, {"stl-cut-off"}, true}));
+    EXPECT_EQ(with(binaryStl(4, scaled(kTetrahedron, 1e6F))), (AsFixture{false, {"fixture-unread"}, true}));
+    EXPECT_EQ(with(binaryStl(0, {})), (AsFixture{false, {"stl-no-facets"}, true}));
+    EXPECT_EQ(with("G0 X1\n"), (AsFixture{false, {"not-stl"}, true}));
+    EXPECT_EQ(with(""), (AsFixture{false, {"not-stl"}, true}));
+    EXPECT_FALSE(asFixture(folder / "missing.stl").usable);
+    EXPECT_TRUE(asFixture(folder / "missing.stl").unverified);
+    EXPECT_FALSE(asFixture(folder.path()).usable) << "a folder";
+}
+
+TEST(FixtureFile, OfTooManyFacetsIsNotUsed) {
+    const TemporaryFolder folder;
+    const std::array<Corner, 3> facet{Corner{0, 0, 0}, Corner{9, 0, 0}, Corner{0, 9, 5}};
+    const std::uint32_t count = FixtureSurface::kMostFacets + 1;
+    folder.put("a.stl", binaryStl(count, Facets(count, facet)));
+    EXPECT_EQ(asFixture(folder / "a.stl"), (AsFixture{false, {"fixture-unread"}, true}));
+}
+
+TEST(FixtureFile, WithDamageIsUsedOrSaysWhyNot) {
+    const TemporaryFolder folder;
+    const std::uint32_t seed = randomSeed();
+    std::mt19937 random(seed);
+    for (int round = 0; round < roundsOf(300); ++round) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << " round " << round);
+        std::string bytes = round % 2 == 0 ? binaryStl(4, kTetrahedron) : asciiTetrahedron();
+        for (std::size_t k = 0; k < 1 + random() % 6; ++k)
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        if (random() % 3 == 0)
+            bytes.resize(random() % bytes.size());
+        folder.put("a.stl", bytes);
+        FixtureMesh mesh{.turn = 30, .file = folder / "a.stl"};
+        readFixtureFile(mesh);
+        if (!isUsable(mesh)) {
+            ASSERT_FALSE(mesh.surface->findings().empty());
+            continue;
+        }
+        EXPECT_TRUE(std::isfinite(boundsOf(mesh).hi.z));
+        EXPECT_GE(mesh.surface->heights(mesh)->column(mesh.surface->heights(mesh)->whole()).top,
+                  boundsOf(mesh).hi.z);
     }
 }
 

@@ -69,6 +69,34 @@ class FixtureEditorTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aMeshIsAddedFromItsFile() {
+        const QTemporaryDir folder;
+        const auto written = [&folder](const char* name, const char* text) {
+            QFile file(folder.filePath(QLatin1String(name)));
+            return file.open(QIODevice::WriteOnly) && file.write(text) > 0;
+        };
+        QVERIFY(written("left jaw.stl",
+                        "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 25\nvertex 60 0 25\n"
+                        "vertex 60 20 0\nendloop\nendfacet\nendsolid\n"));
+        QVERIFY(written("bad.stl", "not a mesh"));
+        FixtureEditor editor;
+        editor.show({}, kStock);
+        QSignalSpy edited(&editor, &FixtureEditor::edited);
+        editor.addMesh(folder.filePath(QStringLiteral("left jaw.stl")));
+        QCOMPARE(names(editor.fixtures()), QStringList({"left jaw"}));
+        auto& list = find<QTreeWidget>(editor, "fixture-list");
+        QCOMPARE(list.currentItem()->text(1), QStringLiteral("60 × 20 × 25"));
+        QVERIFY(find<QLabel>(editor, "fixture-problem").text().contains(QStringLiteral("not closed")));
+        find<QDoubleSpinBox>(editor, "fixture-turn").setValue(90);
+        find<QDoubleSpinBox>(editor, "fixture-scale").setValue(2);
+        QCOMPARE(list.currentItem()->text(1), QStringLiteral("40 × 120 × 50"));
+        QCOMPARE(std::get<FixtureMesh>(editor.fixtures().at("left jaw")).turn, 90.0);
+        editor.addMesh(folder.filePath(QStringLiteral("bad.stl")));
+        QCOMPARE(list.currentItem()->text(1), QStringLiteral("Not read"));
+        QVERIFY(!find<QLabel>(editor, "fixture-problem").text().isEmpty());
+        QCOMPARE(edited.count(), 4);
+    }
+
     void addsCopiesAndRemoves() {
         FixtureEditor editor;
         editor.show({}, kStock);

@@ -11,6 +11,7 @@
 
 #include <QTest>
 
+#include "core/cutting/fixtures/fixture_surface.h"
 #include "core/decimation/surface/refined_surface.h"
 #include "tests/core/cutter/default_spec.h"
 #include "tests/ui/viewport/frame_builder.h"
@@ -156,6 +157,20 @@ void GlMeshesTest::fixturesAreClosedAndToScale() {
     QVERIFY(extent.lo == Vec3(3, 10, -5) && extent.hi == Vec3(23, 40, 35));
     const double round = volumeOf(fixtureMesh({{"a", FixtureCylinder{1000, -500, 20, 20, 40}}}, origin));
     QVERIFY(std::abs(round / (100 * std::numbers::pi * 40) - 1) < 0.005);
+    // A mesh is turned by a quarter, so that (20, 0, 0) comes to (0, 20, 0), and scaled.
+    const std::vector<FixtureFacet> facets{{glm::vec3(0), glm::vec3(10, 0, 0), glm::vec3(0, 10, 0)}};
+    const FixtureMesh mesh{.x = 1000,
+                           .y = -500,
+                           .z = 20,
+                           .turn = 90,
+                           .scale = 2,
+                           .surface = std::make_shared<const FixtureSurface>(facets)};
+    const std::vector<SolidVertex> facet = fixtureMesh({{"a", mesh}, {"b", FixtureMesh{}}}, origin);
+    QCOMPARE(facet.size(), std::size_t{3});
+    const glm::vec3 zero = glm::vec3(Vec3(1000, -500, 20) - origin);
+    QVERIFY(glm::distance(facet[1].position, zero + glm::vec3(0, 20, 0)) < 1e-4F);
+    QVERIFY(glm::distance(facet[2].position, zero + glm::vec3(-20, 0, 0)) < 1e-4F);
+    QVERIFY(glm::distance(facet[0].normal, glm::vec3(0, 0, 1)) < 1e-6F);
     // Each fixture has its number, in the order of the names; the normals face outwards.
     const Fixtures two{{"b", FixtureBox{0, 0, 0, 1, 1, 1}}, {"a", FixtureCylinder{5, 5, 0, 2, 3}}};
     for (const SolidVertex& vertex : fixtureMesh(two, Vec3(0))) {
