@@ -115,7 +115,9 @@ void MachineForm::retranslate() {
     std::size_t row = 0;
     describe(defaults, [&](double& value, const Field& field) {
         m_labels[row]->setText(coreText(field.label));
-        showFieldTexts(*m_boxes[row], field, fieldNumber(field, value, locale()));
+        const bool any = value == Machine::kNowhere;
+        m_boxes[row]->setSpecialValueText(any ? tr("any") : QString());
+        showFieldTexts(*m_boxes[row], field, any ? tr("any") : fieldNumber(field, value, locale()));
         ++row;
     });
     showTimes();

@@ -98,22 +98,23 @@ private:
 
 } // namespace
 
-ToolAssembly::ToolAssembly(const Cutter& cutter, double clearance)
+ToolAssembly::ToolAssembly(const Cutter& cutter, double clearance, double aside)
     : m_cutterRadius(cutter.radius()), m_lowest(std::numeric_limits<double>::infinity()) {
-    add(shankProfile(cutter), clearance, cutter.profileHeight(), &AssemblyContact::shank);
-    add(holderProfile(cutter), clearance, cutter.profileHeight(), &AssemblyContact::holder);
+    add(shankProfile(cutter), clearance + aside, clearance, cutter.profileHeight(), &AssemblyContact::shank);
+    add(holderProfile(cutter), clearance + aside, clearance, cutter.profileHeight(),
+        &AssemblyContact::holder);
     if (!empty())
         m_cutter = convexProfiles(cutter, 0);
 }
 
-void ToolAssembly::add(std::vector<ProfilePiece> pieces, double clearance, double lowest,
+void ToolAssembly::add(std::vector<ProfilePiece> pieces, double outwards, double downwards, double lowest,
                        PartContact AssemblyContact::*contact) {
     if (pieces.empty())
         return;
-    const double down = std::min(clearance, pieces.front().z0 - lowest);
+    const double down = std::min(downwards, pieces.front().z0 - lowest);
     for (ProfilePiece& piece : pieces) {
-        piece.r0 += piece.r0 > 0 ? clearance : 0;
-        piece.r1 += clearance;
+        piece.r0 += piece.r0 > 0 ? outwards : 0;
+        piece.r1 += outwards;
         piece.z0 -= down;
         piece.z1 -= down;
     }

@@ -44,8 +44,9 @@ public:
     static constexpr double kExact = 2e-3;
 
     /// `clearance`: parts also touch what is nearer than this to their sides or below them, mm, except what
-    /// is lower than the profile of the cutter. Nothing is kept of `cutter`.
-    explicit ToolAssembly(const Cutter& cutter, double clearance = 0);
+    /// is lower than the profile of the cutter. `aside`: so much more to their sides. Nothing is kept of
+    /// `cutter`.
+    explicit ToolAssembly(const Cutter& cutter, double clearance = 0, double aside = 0);
 
     /// Whether there is nothing that could touch: neither a holder nor a shank was given, or both are as
     /// narrow as the cutter.
@@ -65,7 +66,7 @@ private:
         Cutter surface; ///< its lower surface as a profile
         PartContact AssemblyContact::*contact;
     };
-    void add(std::vector<ProfilePiece> pieces, double clearance, double lowest,
+    void add(std::vector<ProfilePiece> pieces, double outwards, double downwards, double lowest,
              PartContact AssemblyContact::*contact);
 
     std::vector<Part> m_parts;

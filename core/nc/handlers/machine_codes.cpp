@@ -158,7 +158,7 @@ void setToolNumber(Execution& execution, const Word& word) {
     }
     if (const auto number = toolNumber(execution, execution.block.word('Q'))) {
         execution.state.tool = *number;
-        execution.program.append(ToolChange{*number}, execution.line);
+        execution.program.append(ToolChange{*number, true}, execution.line);
     }
 }
 

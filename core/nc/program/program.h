@@ -26,6 +26,7 @@ enum class StopKind : std::uint8_t { program, optional, palletChange };
 
 struct ToolChange {
     int tool = 0;
+    bool numberOnly = false; ///< M61: the control is told which tool is in the spindle
 };
 struct ToolLengthOffset {
     Vec3 offset{0};

@@ -23,7 +23,8 @@ struct RuleLimits {
     double looseVolume = 1;
     double fixtureClearance = 1;
     double tapFeedError = 1;
-    double rapidClearance = 0; ///< 0: rapids may come as close as they like
+    double rapidClearance = 0;  ///< 0: rapids may come as close as they like
+    double holderClearance = 0; ///< the same for shank and holder
 
     friend bool operator==(const RuleLimits&, const RuleLimits&) = default;
 };
@@ -87,6 +88,15 @@ void describe(Params& limits, Visitor&& visit) {
                 .unit = "mm",
                 .help = PROVEOUT_TEXT(
                     "Core", "Rapids that pass less than this above the stock are reported; 0: none."),
+                .minimum = 0,
+                .maximum = 1000,
+                .step = 0.5});
+    visit(limits.holderClearance,
+          Field{.key = "holderClearance",
+                .label = PROVEOUT_TEXT("Core", "Clearance of holders"),
+                .unit = "mm",
+                .help = PROVEOUT_TEXT(
+                    "Core", "A shank or holder that comes nearer to the stock is reported; 0: none."),
                 .minimum = 0,
                 .maximum = 1000,
                 .step = 0.5});

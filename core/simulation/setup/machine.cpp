@@ -2,6 +2,8 @@
 #include "core/simulation/setup/machine.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 
 #include "core/base/described_values.h"
@@ -19,6 +21,11 @@ std::optional<std::pair<double, double>> Machine::travel(int axis) const {
 std::optional<Vec3> Machine::programZero() const {
     const Vec3 zero{offsetX, offsetY, offsetZ};
     return zero == Vec3(0) ? std::nullopt : std::optional(zero);
+}
+
+std::optional<double> Machine::toolChange(int axis) const {
+    const double at = std::array{changeX, changeY, changeZ}[static_cast<std::size_t>(axis)];
+    return at == kNowhere ? std::nullopt : std::optional(at);
 }
 
 Result<Machine> parseMachine(std::string_view text, Machine machine) {

@@ -34,11 +34,18 @@ struct Machine {
     double offsetX = 0;
     double offsetY = 0;
     double offsetZ = 0;
+    // Where tools are changed, in machine coordinates, Z of the face of the spindle; kNowhere: anywhere.
+    static constexpr double kNowhere = -1e6;
+    double changeX = kNowhere;
+    double changeY = kNowhere;
+    double changeZ = kNowhere;
 
     /// The travel of an axis, 0 to 2; nothing if it is unknown.
     [[nodiscard]] std::optional<std::pair<double, double>> travel(int axis) const;
     /// Where the program's zero is; nothing if it is unknown.
     [[nodiscard]] std::optional<Vec3> programZero() const;
+    /// Where an axis, 0 to 2, must be for a tool change; nothing if it may be anywhere.
+    [[nodiscard]] std::optional<double> toolChange(int axis) const;
 
     friend bool operator==(const Machine&, const Machine&) = default;
 };
@@ -156,6 +163,16 @@ void describe(Params& machine, Visitor&& visit) {
               "offsetZ", PROVEOUT_TEXT("Core", "Part zero Z"),
               PROVEOUT_TEXT("Core",
                             "Machine coordinate Z with the face of the spindle at Z0 of the program.")));
+    visit(machine.changeX,
+          machine_field::position(
+              "changeX", PROVEOUT_TEXT("Core", "Tool change X"),
+              PROVEOUT_TEXT("Core", "Machine coordinate X that M6 needs; -1000000: any. Leave it if M6 "
+                                    "itself moves there.")));
+    visit(machine.changeY, machine_field::position("changeY", PROVEOUT_TEXT("Core", "Tool change Y"),
+                                                   PROVEOUT_TEXT("Core", "The same for Y.")));
+    visit(machine.changeZ, machine_field::position(
+                               "changeZ", PROVEOUT_TEXT("Core", "Tool change Z"),
+                               PROVEOUT_TEXT("Core", "The same for Z, with the face of the spindle there.")));
 }
 
 /// Reads a machine from `PROFILE,key=value,…`, with the key of a profile (machine_profiles.h), which may be

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "core/base/figures_argument.h"
 #include "core/base/memory.h"
+#include "core/cutting/fixtures/fixture_heights.h"
+#include "core/cutting/fixtures/fixture_surface.h"
 #include "core/decimation/regions/region_decimator.h"
 #include "core/simulation/run/cutting_findings.h"
 #include "core/simulation/run/simulation.h"
@@ -64,6 +67,7 @@ public:
 
     Result<std::shared_ptr<const CheckReport>> run() {
         add(m_subject.warnings);
+        add(findingsOf(m_subject.setup->fixtures));
         add(m_program.diagnostics());
         m_report.ofText = m_report.findings.size();
         addUnknownIds();
@@ -115,7 +119,9 @@ private:
     }
 
     /// Keeping the uncut stock keeps the tiles that will be cut: only where a rule needs them.
-    [[nodiscard]] bool needsBegin() const { return m_rules.limits.rapidClearance > 0; }
+    [[nodiscard]] bool needsBegin() const {
+        return m_rules.limits.rapidClearance > 0 || m_rules.limits.holderClearance > 0;
+    }
 
     Result<void> prepareStock() {
         if (m_stock) {
@@ -209,7 +215,8 @@ private:
         if (finding.block) {
             out.block = *finding.block + 1;
             out.worstBlock = finding.worstBlock + 1;
-            out.lastLine = lineOf(finding.lastBlock);
+            out.lastLine =
+                finding.lastLine > 0 ? static_cast<int>(finding.lastLine) : lineOf(finding.lastBlock);
             out.place = finding.place.value_or(endOf(finding.worstBlock));
         }
         add(std::move(out));
@@ -233,6 +240,19 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Of the heights of the fixtures, which are kept from one check to the next.
+double fixtureBytes(const Fixtures& fixtures) {
+    double bytes = 0;
+    for (const auto& named : fixtures)
+        if (const auto* mesh = std::get_if<FixtureMesh>(&named.second); mesh != nullptr && isUsable(*mesh))
+            bytes += FixtureHeights::mostBytes(mesh->surface->facets().size());
+    return bytes;
+}
+
+} // namespace
+
 Result<double> checkBytes(const CheckSubject& subject) {
     if (!subject.hasStock)
         return 0;
@@ -241,6 +261,7 @@ Result<double> checkBytes(const CheckSubject& subject) {
         return tl::unexpected(grid.error());
     constexpr double kOfBlock = sizeof(BlockStatistics) + MachineTimes::kBytesPerBlock;
     return memoryForecast(*subject.setup, *grid, withoutDecimation(*subject.setup)).most +
+           fixtureBytes(subject.setup->fixtures) +
            kOfBlock * static_cast<double>(subject.program->blockCount());
 }
 

@@ -2,7 +2,7 @@
 #include "core/verification/check/check_report.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <tuple>
@@ -118,19 +118,25 @@ Waiver CheckReport::waiverOf(const CheckFinding& finding, std::string reason, st
     return waiver;
 }
 
-CheckChange changeBetween(const CheckReport& before, const CheckReport& after) {
+std::vector<CheckFinding> missingFrom(const CheckReport& other, const CheckReport& report) {
     using Key = std::tuple<std::string, int, std::string>;
-    std::map<Key, std::ptrdiff_t> more;
-    const auto count = [&](const CheckReport& report, std::ptrdiff_t by) {
-        for (const CheckFinding& one : report.findings)
-            more[{one.diagnostic.id, one.tool, message(one.diagnostic)}] += by;
+    const auto keyOf = [](const CheckFinding& one) {
+        return Key{one.diagnostic.id, one.tool, message(one.diagnostic)};
     };
-    count(after, 1);
-    count(before, -1);
-    CheckChange change;
-    for (const auto& [key, by] : more)
-        (by > 0 ? change.added : change.gone) += static_cast<std::size_t>(std::abs(by));
-    return change;
+    std::map<Key, std::size_t> known;
+    for (const CheckFinding& one : other.findings)
+        ++known[keyOf(one)];
+    std::vector<CheckFinding> missing;
+    for (const CheckFinding& one : report.findings)
+        if (std::size_t& count = known[keyOf(one)]; count > 0)
+            --count;
+        else
+            missing.push_back(one);
+    return missing;
+}
+
+CheckChange changeBetween(const CheckReport& before, const CheckReport& after) {
+    return {.added = missingFrom(before, after).size(), .gone = missingFrom(after, before).size()};
 }
 
 } // namespace proveout

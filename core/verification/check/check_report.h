@@ -72,5 +72,7 @@ struct CheckChange {
 
 /// Findings are the same if rule and tool are, and what they say, wherever their lines are now.
 [[nodiscard]] CheckChange changeBetween(const CheckReport& before, const CheckReport& after);
+/// The findings of a report that another one does not have, in the same sense.
+[[nodiscard]] std::vector<CheckFinding> missingFrom(const CheckReport& other, const CheckReport& report);
 
 } // namespace proveout

@@ -14,7 +14,9 @@ namespace {
 
 constexpr std::array kOfWholeTool{&cutting_finding::kHolderCollision, &cutting_finding::kShankCollision,
                                   &cutting_finding::kNeckInStock,     &rule_finding::kFixtureCollision,
-                                  &rule_finding::kFixtureNear,        &rule_finding::kTravelLimit};
+                                  &rule_finding::kFixtureNear,        &rule_finding::kTravelLimit,
+                                  &rule_finding::kHolderNear,         &rule_finding::kShankNear,
+                                  &rule_finding::kToolChangePosition};
 
 bool isOfWholeTool(std::string_view finding) {
     return std::ranges::any_of(kOfWholeTool, [&](const FindingRow* row) { return finding == row->id; });

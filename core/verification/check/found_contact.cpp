@@ -37,6 +37,8 @@ constexpr std::array kContacts{
     ContactRow{&rule_finding::kDrillSideways, ToolPart::flutes, PlaceOf::tip},
     ContactRow{&rule_finding::kTableCollision, ToolPart::flutes, PlaceOf::lowest},
     ContactRow{&rule_finding::kFixtureCollision, ToolPart::flutes, PlaceOf::fixture},
+    ContactRow{&rule_finding::kHolderNear, ToolPart::holder, PlaceOf::contact},
+    ContactRow{&rule_finding::kShankNear, ToolPart::shank, PlaceOf::contact},
     ContactRow{&rule_finding::kFixtureNear, ToolPart::flutes, PlaceOf::fixture},
 };
 

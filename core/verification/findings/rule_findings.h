@@ -231,6 +231,36 @@ inline constexpr FindingRow kTravelLimit{
     PROVEOUT_TEXT("Core", "{3} moves {1} mm beyond its travel limit, {2} mm in machine coordinates."),
     PROVEOUT_TEXT("Core", "Place the part elsewhere, turn it, or shorten the motion.")};
 
+inline constexpr FindingRow kToolChangePosition{
+    Severity::fault,
+    false,
+    "tool-change-position",
+    PROVEOUT_TEXT("Core", "Tool change elsewhere"),
+    PROVEOUT_TEXT("Core",
+                  "{3} is {1} mm away from the tool change position, {2} mm in machine coordinates, when "
+                  "the tool is changed."),
+    PROVEOUT_TEXT("Core", "Move there before M6, for example with G28 or G53.")};
+/// Arguments: by how much it is nearer, the clearance, the uncertainty of the grid.
+inline constexpr FindingRow kHolderNear{
+    Severity::warning,
+    false,
+    "holder-near",
+    PROVEOUT_TEXT("Core", "Holder close to stock"),
+    PROVEOUT_TEXT("Core",
+                  "The holder passes nearer than {2} mm to the stock, by {1} mm. To the sides, up to {3} mm "
+                  "of this may be due to the grid."),
+    PROVEOUT_TEXT("Core",
+                  "Extend the tool, choose a slimmer holder or a finer grid, or reduce holderClearance.")};
+inline constexpr FindingRow kShankNear{
+    Severity::warning,
+    false,
+    "shank-near",
+    PROVEOUT_TEXT("Core", "Shank close to stock"),
+    PROVEOUT_TEXT("Core",
+                  "The shank passes nearer than {2} mm to the stock, by {1} mm. To the sides, up to {3} mm "
+                  "of this may be due to the grid."),
+    PROVEOUT_TEXT("Core", "Choose a tool with longer flutes or a finer grid, or reduce holderClearance.")};
+
 inline constexpr FindingRow kCommentDiameter{
     Severity::warning,
     false,
@@ -256,6 +286,7 @@ inline constexpr std::array kRuleRows{&kSpindleStopped,   &kSpindleNeverTurns, &
                                       &kSurfaceSpeed,     &kRemovalRate,       &kToolFeedLimit,
                                       &kToolSpindleLimit, &kSpindleLimit,      &kRampTooSteep,
                                       &kTapFeed,          &kTapNotReversed,    &kTravelLimit,
-                                      &kCommentDiameter,  &kCommentShape};
+                                      &kCommentDiameter,  &kCommentShape,      &kToolChangePosition,
+                                      &kHolderNear,       &kShankNear};
 
 } // namespace proveout::rule_finding

@@ -5,31 +5,13 @@
 #include <cstddef>
 
 #include "core/cutting/cut/cutting.h"
-#include "core/simulation/run/block_cutter.h"
 #include "core/verification/findings/rule_findings.h"
 #include "core/verification/rules/rules.h"
+#include "core/verification/rules/stock_of_moment.h"
 
 namespace proveout {
 
 namespace {
-
-/// The stock before a block.
-class StockOfMoment {
-public:
-    explicit StockOfMoment(const CheckedRun& run) : m_run(run), m_map(*run.begin) {}
-
-    const ZMap& before(std::size_t block) {
-        (void)cutBlocks(m_map, m_run.program, m_block, block, m_run.setup, m_run.tools, {}, m_cutting);
-        m_block = block;
-        return m_map;
-    }
-
-private:
-    const CheckedRun& m_run;
-    ZMap m_map;
-    std::size_t m_block = 0; ///< the blocks before it have been cut
-    PortionCutting m_cutting;
-};
 
 /// A rapid straight up leaves a cut: it begins at the stock.
 bool isStraightUp(const Motion& motion) {

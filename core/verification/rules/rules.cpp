@@ -40,6 +40,9 @@ constexpr std::array<const FindingRow*, 1> kOfRamps{&kRampTooSteep};
 constexpr std::array<const FindingRow*, 1> kOfTapFeed{&kTapFeed};
 constexpr std::array<const FindingRow*, 1> kOfTapOut{&kTapNotReversed};
 constexpr std::array<const FindingRow*, 1> kOfTravel{&kTravelLimit};
+constexpr std::array<const FindingRow*, 1> kOfToolChange{&kToolChangePosition};
+constexpr std::array<const FindingRow*, 1> kOfHolderNear{&kHolderNear};
+constexpr std::array<const FindingRow*, 1> kOfShankNear{&kShankNear};
 
 constexpr std::array kRules{
     Rule{kOfStoppedSpindle, "mm", judgeStoppedSpindle},
@@ -69,20 +72,21 @@ constexpr std::array kRules{
     Rule{kOfTapFeed, "mm/min", judgeTapFeed},
     Rule{kOfTapOut, "mm", judgeTapOut},
     Rule{kOfTravel, "mm", judgeTravel},
+    Rule{kOfToolChange, "mm", judgeToolChanges},
+    Rule{kOfHolderNear, "mm", judgeHolderClearance},
+    Rule{kOfShankNear, "mm", judgeShankClearance},
 };
 
 } // namespace
 
-void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, double value, double limit,
-                       const std::string& what, std::optional<Vec3> place) {
+RuleFinding& RuleFindings::merged(const FindingRow& row, std::size_t block, int tool, double value,
+                                  double limit, const std::string& what, std::optional<Vec3> place) {
     const auto same = [&](const RuleFinding& one) {
         return one.row == &row && one.block && one.tool == tool && one.what == what;
     };
     const auto found = std::ranges::find_if(m_all, same);
-    if (found == m_all.end()) {
-        m_all.push_back({&row, block, block, block, 1, tool, value, limit, place, what});
-        return;
-    }
+    if (found == m_all.end())
+        return m_all.emplace_back(RuleFinding{&row, block, block, block, 1, tool, value, limit, place, what});
     found->count += found->lastBlock == block ? 0 : 1;
     found->lastBlock = block;
     if (value > found->value) {
@@ -90,6 +94,19 @@ void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, doubl
         found->worstBlock = block;
         found->place = place;
     }
+    return *found;
+}
+
+void RuleFindings::add(const FindingRow& row, std::size_t block, int tool, double value, double limit,
+                       const std::string& what, std::optional<Vec3> place) {
+    (void)merged(row, block, tool, value, limit, what, place);
+}
+
+void RuleFindings::addAtLine(std::uint32_t line, const FindingRow& row, std::size_t block, int tool,
+                             double value, double limit, const std::string& what, std::optional<Vec3> place) {
+    RuleFinding& finding = merged(row, block, tool, value, limit, what, place);
+    finding.line = finding.line == 0 ? line : finding.line;
+    finding.lastLine = line;
 }
 
 void RuleFindings::add(const FindingRow& row, double value, double limit, std::optional<Vec3> place) {
@@ -121,7 +138,8 @@ Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program) {
     Diagnostic diagnostic = diagnosticOf(
         *finding.row, {figures("{:.6g}", finding.value), figures("{:.6g}", finding.limit), finding.what});
     if (finding.block)
-        diagnostic.where = {static_cast<int>(program.blockLine(*finding.block)), 1, 0};
+        diagnostic.where = {
+            static_cast<int>(finding.line > 0 ? finding.line : program.blockLine(*finding.block)), 1, 0};
     return diagnostic;
 }
 

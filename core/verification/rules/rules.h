@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -30,6 +31,8 @@ struct RuleFinding {
     std::optional<Vec3> place = {}; ///< of the worst
     std::string what =
         {}; ///< the thing, where the rule has several of them; the third argument of the sentence
+    std::uint32_t line = 0; ///< of something between blocks, after `block`; 0: the line of the block
+    std::uint32_t lastLine = 0;
 };
 
 /// Collects what the rules find; owned by one thread.
@@ -38,11 +41,17 @@ public:
     /// A block breaks a rule. Blocks must come in order; the larger value is the worse one.
     void add(const FindingRow& row, std::size_t block, int tool, double value, double limit = 0,
              const std::string& what = {}, std::optional<Vec3> place = {});
+    /// The same for something in a line after the block that moves nothing.
+    void addAtLine(std::uint32_t line, const FindingRow& row, std::size_t block, int tool, double value,
+                   double limit, const std::string& what, std::optional<Vec3> place);
     /// Something that concerns no block.
     void add(const FindingRow& row, double value = 0, double limit = 0, std::optional<Vec3> place = {});
     [[nodiscard]] const std::vector<RuleFinding>& all() const { return m_all; }
 
 private:
+    RuleFinding& merged(const FindingRow& row, std::size_t block, int tool, double value, double limit,
+                        const std::string& what, std::optional<Vec3> place);
+
     std::vector<RuleFinding> m_all;
 };
 
@@ -94,6 +103,9 @@ void judgeSpindleLimit(const CheckedRun& run, const RuleLimits& limits, RuleFind
 void judgeRamps(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeTapFeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeTravel(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeToolChanges(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeHolderClearance(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+void judgeShankClearance(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeTapOut(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 
 } // namespace proveout

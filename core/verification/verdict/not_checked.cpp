@@ -70,8 +70,14 @@ bool lacksHolder(const CheckScope& scope) {
            anyCutter(scope, [](const Cutter& cutter) { return cutter.body().holder.empty(); });
 }
 
+/// Whether Z is judged in machine coordinates.
+bool needsLength(const CheckScope& scope) {
+    return knowsTravel(scope, 2) ||
+           (scope.machine != nullptr && scope.machine->programZero() && scope.machine->toolChange(2));
+}
+
 bool lacksLength(const CheckScope& scope) {
-    return scope.hasStock && knowsTravel(scope, 2) &&
+    return scope.hasStock && needsLength(scope) &&
            anyCutter(scope, [](const Cutter& cutter) { return !gaugeLength(&cutter); });
 }
 

@@ -8,14 +8,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <stop_token>
 #include <string>
 #include <thread>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "core/cutting/fixtures/fixture_surface.h"
 #include "core/verification/findings/check_findings.h"
 #include "tests/core/simulation/programs.h"
 #include "tests/random_seed.h"
@@ -263,6 +267,121 @@ TEST(Travel, IsNotCheckedWithoutAPlaceOfThePart) {
     EXPECT_TRUE(leaves(*report, "travel-not-given"));
 }
 
+// ---- tool changes ----
+
+/// The findings of tool changes of a text on a machine that changes tools at these program coordinates of
+/// the spindle, whose tools are 80 mm long.
+std::vector<CheckFinding> changesOf(const std::string& text, std::optional<double> x, std::optional<double> z,
+                                    const std::string& tool = "ball:d=4,l=20,so=50,holder=40x30") {
+    auto subject = subjectOf(text);
+    auto setup = std::make_shared<proveout::Setup>(*setupWithTool(1, tool));
+    setup->tools.set(2, parseCutter("ball:d=4,l=20,so=50,holder=40x30").value());
+    subject.setup = setup;
+    Machine machine;
+    std::tie(machine.offsetX, machine.offsetY, machine.offsetZ) = std::tuple(-200.0, -100.0, -300.0);
+    if (x)
+        machine.changeX = *x - 200;
+    if (z)
+        machine.changeZ = *z - 300;
+    subject.machine = machine;
+    const auto report = check(subject, {.accepted = kAll}, kAnyMemory).value();
+    std::vector<CheckFinding> found;
+    for (const CheckFinding& one : report->findings)
+        if (one.diagnostic.id == std::string("tool-change-position"))
+            found.push_back(one);
+    return found;
+}
+
+TEST(ToolChanges, AreWhereTheMachineWantsThem) {
+    const std::string text = kHead + "G1 Z-2 F100\nG0 Z20\n(A)\nT2 M6\nG0 X9\nZ21\nT1 M6\nM30\n";
+    EXPECT_TRUE(changesOf(text, {}, {}).empty());
+    const auto low = changesOf(text, {}, 101); // Z21 of a tool of 80 mm
+    ASSERT_EQ(low.size(), 1U) << "the second one is there, and the first one of the program is anywhere";
+    EXPECT_NEAR(low[0].value, 1, 1e-9);
+    EXPECT_EQ(low[0].limit, -199);
+    EXPECT_EQ(low[0].diagnostic.where.line, 8) << "the line of M6";
+    EXPECT_EQ(low[0].lastLine, 8);
+    EXPECT_EQ(low[0].tool, 1) << "the tool that is put away";
+    const auto aside = changesOf(text, 0, {});
+    ASSERT_EQ(aside.size(), 2U) << "of two tools";
+    EXPECT_NEAR(aside[1].value, 9, 1e-9);
+    EXPECT_EQ(aside[1].diagnostic.where.line, 11);
+}
+
+TEST(ToolChanges, InUnknownPositionsAreNotJudged) {
+    EXPECT_TRUE(changesOf(kHead + "G1 Z-2 F100\nG28 Z5\nT2 M6\nM30\n", {}, 101).empty())
+        << "the reference position";
+    const std::string text = kHead + "G1 Z-2 F100\nG0 Z20\nT2 M6\nM30\n";
+    EXPECT_EQ(changesOf(text, {}, 101).size(), 1U);
+    EXPECT_TRUE(changesOf(text, {}, 101, "ball:d=4,l=20").empty()) << "the length is not known";
+    EXPECT_TRUE(changesOf(kHead + "G1 Z-2 F100\nG0 Z20\nM61 Q2\nM30\n", {}, 101).empty()) << "no change";
+}
+
+// ---- clearance of holders ----
+
+TEST(HolderClearance, IsNeverUnderestimatedAndByNoMoreThanTheGridTooLarge) {
+    const std::uint32_t seed = randomSeed();
+    std::mt19937 random(seed);
+    const auto between = [&](double least, double most) {
+        return std::uniform_real_distribution(least, most)(random);
+    };
+    for (int round = 0; round < roundsOf(200); ++round) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << " round " << round);
+        // A round pocket, then a tool in it: its holder is `aside` narrower, `above` higher than the floor of
+        // nothing that it could meet.
+        const double pocket = between(6, 9);
+        const double gap = between(0.3, 2.5);
+        const double clearance = between(0.5, 2.5);
+        auto setup =
+            std::make_shared<proveout::Setup>(*setupWithTool(1, fmt::format("flat:d={}", 2 * pocket)));
+        setup->tools.set(
+            2, parseCutter(fmt::format("flat:d=4,l=5,so=5,holder={}x30", 2 * (pocket - gap))).value());
+        const std::string text = fmt::format(
+            "G21 G90\nT1 M6\nM3 S1000\nG0 X{0} Y{1} Z5\nG1 Z-4 F100\nG0 Z9\nT2 M6\nM3 S1000\nG0 X{0} "
+            "Y{1} Z5\nG1 Z-7 F100\nG0 Z9\nM30\n",
+            between(18, 22), between(13, 17));
+        CheckRules rules{.accepted = kAll};
+        rules.limits.holderClearance = clearance;
+        const auto report = check({.program = programOf(text), .setup = setup}, rules, kAnyMemory).value();
+        const auto found = std::ranges::find_if(report->findings, [](const CheckFinding& one) {
+            return one.diagnostic.id == std::string("holder-near");
+        });
+        const double missing = found == report->findings.end() ? 0 : found->value;
+        const double grid = std::hypot(0.5, 0.5);
+        EXPECT_GE(missing, std::min(clearance, clearance - gap) - 2e-3);
+        EXPECT_LE(missing, std::max(0.0, std::min(clearance, clearance - gap + grid)) + 2e-3);
+        EXPECT_EQ(report->faults(), 0U) << "the holder goes down to 2 mm below the top, above the floor at 4";
+    }
+}
+
+// ---- fixtures of files ----
+
+TEST(Check, OfAFixtureThatCannotBeReadIsUnverified) {
+    auto subject = subjectOf(kClean);
+    auto setup = std::make_shared<proveout::Setup>(*smallSetup());
+    const auto verdictWith = [&](std::shared_ptr<const FixtureSurface> surface) {
+        setup->fixtures = {
+            {"vice", FixtureMesh{.x = 100, .file = "/vice.stl", .surface = std::move(surface)}}};
+        subject.setup = std::make_shared<const proveout::Setup>(*setup);
+        return check(subject, {.accepted = kAll}, kAnyMemory).value();
+    };
+    const std::vector<FixtureFacet> facet{{glm::vec3(0), glm::vec3(9, 0, 0), glm::vec3(0, 9, 0)}};
+    EXPECT_EQ(verdictWith(std::make_shared<const FixtureSurface>(facet))->verdict(), Verdict::safe);
+    Diagnostic hole = diagnosticOf(check_finding::kCheckFailed, {"a hole"});
+    hole.unverified = true;
+    EXPECT_EQ(verdictWith(std::make_shared<const FixtureSurface>(facet, Diagnostics{hole}))->verdict(),
+              Verdict::unverified);
+    const auto missing =
+        verdictWith(std::make_shared<const FixtureSurface>(std::vector<FixtureFacet>(), Diagnostics{hole}));
+    EXPECT_EQ(missing->verdict(), Verdict::unverified);
+    ASSERT_FALSE(missing->findings.empty());
+    EXPECT_EQ(
+        message(missing->findings.front().diagnostic),
+        "The fixture \"vice\" is not checked, because its file cannot be used: The check failed: a hole.");
+    EXPECT_EQ(missing->findings.front().diagnostic.file, "/vice.stl");
+    EXPECT_EQ(verdictWith(nullptr)->verdict(), Verdict::unverified);
+}
+
 TEST(Check, IsRefusedWithoutTheMemoryForIt) {
     const CheckSubject subject = subjectOf(kClean);
     const double needed = checkBytes(subject).value();
@@ -372,6 +491,9 @@ TEST(Check, SaysWhatAnEditHasChanged) {
     EXPECT_EQ(changeBetween(rapid, laterRapid), CheckChange()) << "only its line is another one";
     EXPECT_EQ(changeBetween(rapid, stopped), (CheckChange{1, 1}));
     EXPECT_EQ(changeBetween(reportOf(kClean), stopped), (CheckChange{1, 0}));
+    ASSERT_EQ(missingFrom(stopped, rapid).size(), 1U);
+    EXPECT_STREQ(missingFrom(stopped, rapid).front().diagnostic.id, "rapid-cuts");
+    EXPECT_STREQ(missingFrom(rapid, stopped).front().diagnostic.id, "spindle-stopped");
 }
 
 TEST(Check, ReportsItsProgress) {

@@ -4,7 +4,11 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 #include <numbers>
+#include <vector>
+
+#include "core/cutting/fixtures/fixture_surface.h"
 
 namespace proveout {
 
@@ -232,6 +236,33 @@ void plantShank(Planting& p) {
     p.alsoFound = {"depth-beyond-flutes"};
 }
 
+/// The face of the holder comes near to the top of the stock.
+void plantHolderNear(Planting& p) {
+    constexpr int kClearance = 4;
+    p.stickOut = p.program.among(14, 18);
+    p.flutes = p.stickOut;
+    p.holderClearance = kClearance;
+    const int gap = p.program.among(1, kClearance - 1);
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", p.stickOut - gap));
+    p.program.clean(fmt::format("G1 Z[-{}] F[200]", p.stickOut - kClearance));
+    p.value = kClearance - gap;
+}
+
+void plantShankNear(Planting& p) {
+    constexpr int kClearance = 3;
+    p.flutes = p.program.among(14, 18);
+    p.shank = p.diameter + 4;
+    p.holderClearance = kClearance;
+    const int gap = p.program.among(1, kClearance - 1);
+    p.program.line(kToFault);
+    p.program.mark();
+    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", p.flutes - gap));
+    p.program.clean(fmt::format("G1 Z[-{}] F[200]", p.flutes - kClearance));
+    p.value = kClearance - gap;
+}
+
 /// A square is cut around; in the twin, a bridge is left.
 void plantLoosePiece(Planting& p) {
     p.shape = "flat";
@@ -360,13 +391,32 @@ void plantMillimetresAsInches(Planting& p) {
     p.alsoFound = {"nothing-cut", "never-cuts"};
 }
 
+/// Its ridge is parallel to X, in the middle, and as high as `h` says; turned by a quarter of a turn.
+Fixture meshOfWedge(double x, double y, double z, double w, double d, double h) {
+    const auto at = [](double left, double up, double back) { // as in the file
+        return glm::vec3(static_cast<float>(back), static_cast<float>(-left), static_cast<float>(up));
+    };
+    const std::array near{at(0, 0, 0), at(0, 0, d), at(0, h, d / 2)};
+    const std::array far{at(w, 0, 0), at(w, 0, d), at(w, h, d / 2)};
+    std::vector<FixtureFacet> facets{{near[0], near[1], near[2]}, {far[0], far[2], far[1]}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        facets.push_back({near[k], far[k], near[next]});
+        facets.push_back({near[next], far[k], far[next]});
+    }
+    return FixtureMesh{
+        .x = x, .y = y, .z = z, .turn = 90, .surface = std::make_shared<const FixtureSurface>(facets)};
+}
+
 /// A clamp beside the stock, at X165 in the lane.
 void plantFixture(Planting& p, const char* moveToIt) {
     const int top = p.program.among(8, 30);
     const int overlap = p.program.among(1, 4);
     const double height = top + kThickness;
-    p.fixtures["clamp"] = p.program.either() ? Fixture(FixtureBox{150, 80, -kThickness, 30, 24, height})
-                                             : Fixture(FixtureCylinder{165, 92, -kThickness, 20, height});
+    const std::array<Fixture, 3> clamps{FixtureBox{150, 80, -kThickness, 30, 24, height},
+                                        FixtureCylinder{165, 92, -kThickness, 20, height},
+                                        meshOfWedge(150, 80, -kThickness, 30, 24, height)};
+    p.fixtures["clamp"] = clamps[static_cast<std::size_t>(p.program.among(0, 2))];
     p.program.line("G0 X[120] Y[92] Z[50]");
     p.program.faulty(fmt::format("Z[{}]", top - overlap));
     p.program.clean(fmt::format("Z[{}]", top + 2));
@@ -614,6 +664,21 @@ void plantTravelUpwards(Planting& p) {
     p.value = beyond;
 }
 
+/// T1 is changed at Z50 everywhere else; T2 has no known length.
+void plantToolChange(Planting& p) {
+    const int low = p.program.among(10, 40);
+    p.machine = machineWithTravel();
+    p.machine->changeZ = p.machine->offsetZ + p.stickOut + kHolderHeight + 50;
+    p.program.line(kToFault);
+    p.program.faulty(fmt::format("Z[{}]", low));
+    p.program.clean("Z[50]");
+    p.program.line("M5");
+    p.program.mark();
+    takeTool(p.program, 2);
+    changeTo(p.program, 1);
+    p.value = 50 - low;
+}
+
 // ---- the rows ----
 
 constexpr std::array kKinds{
@@ -660,6 +725,9 @@ constexpr std::array kKinds{
     PlantedKind{"travel", "travel-limit", plantTravel},
     PlantedKind{"travel, arc extreme", "travel-limit", plantTravelOfArc},
     PlantedKind{"travel upwards", "travel-limit", plantTravelUpwards},
+    PlantedKind{"tool change elsewhere", "tool-change-position", plantToolChange},
+    PlantedKind{"holder near the stock", "holder-near", plantHolderNear},
+    PlantedKind{"shank near the stock", "shank-near", plantShankNear},
     PlantedKind{"arc that misses its end", "arc-ends-differ", plantArcEnd},
 };
 
@@ -717,13 +785,8 @@ PlantedPair plantedPair(const PlantedKind& kind, std::uint_fast32_t seed) {
     }
     writeEnd(out);
 
-    PlantedPair pair{out.faultyText(),
-                     out.cleanText(),
-                     out.markedLine(),
-                     planting.value,
-                     planting.machine,
-                     planting.alsoFound,
-                     {}};
+    PlantedPair pair{out.faultyText(), out.cleanText(),    out.markedLine(),         planting.value,
+                     planting.machine, planting.alsoFound, planting.holderClearance, {}};
     pair.setup.stock = {Vec3(0), 140, 110, kThickness};
     pair.setup.spacing = kSpacing;
     pair.setup.dialect = writing.dialect;

@@ -30,6 +30,7 @@ struct Planting {
     std::set<std::string> alsoFound = {}; ///< ids that the fault also breaks
     Fixtures fixtures = {};
     std::string limits = {}; ///< of T1, as in a tool table: ",maxap=4"
+    double holderClearance = 0;
 };
 
 struct PlantedKind {
@@ -47,6 +48,7 @@ struct PlantedPair {
     std::optional<double> value = {};
     std::optional<Machine> machine = {};
     std::set<std::string> alsoFound = {};
+    double holderClearance = 0;
     Setup setup;
 };
 

@@ -19,9 +19,10 @@ namespace {
 
 constexpr int kPairsOfAKind = 20;
 
-CheckRules acceptingAll() {
+CheckRules acceptingAll(const PlantedPair& pair) {
     CheckRules rules;
     rules.limits.rapidClearance = 1;
+    rules.limits.holderClearance = pair.holderClearance;
     for (const NotCheckedRow& row : notCheckedRows())
         rules.accepted.insert({row.id, {}});
     return rules;
@@ -34,7 +35,7 @@ std::shared_ptr<const CheckReport> checked(const std::string& text, const Plante
     subject.program = interpretOn(*setup, lines, interpretOptions(*setup, "part.nc"));
     subject.setup = setup;
     subject.machine = pair.machine;
-    return check(subject, acceptingAll(), std::uint64_t{1} << 32).value();
+    return check(subject, acceptingAll(pair), std::uint64_t{1} << 32).value();
 }
 
 std::string described(const CheckReport& report) {
