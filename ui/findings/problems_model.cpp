@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include <QGuiApplication>
 #include <QLocale>
+#include <QPalette>
 
 #include "core/verification/findings/findings.h"
 #include "ui/look/diagnostic_text.h"
@@ -24,6 +26,17 @@ ProblemsModel::ProblemsModel(QObject* parent) : QAbstractTableModel(parent) {
 void ProblemsModel::setProblems(std::vector<CheckFinding> problems, std::vector<NotChecked> notChecked) {
     beginResetModel();
     m_problems = std::move(problems);
+    m_notChecked = std::move(notChecked);
+    m_current = m_problems.size() + m_notChecked.size();
+    endResetModel();
+}
+
+void ProblemsModel::setProblems(std::vector<CheckFinding> problems, const std::vector<CheckFinding>& outdated,
+                                std::vector<NotChecked> notChecked) {
+    beginResetModel();
+    m_current = problems.size();
+    m_problems = std::move(problems);
+    m_problems.insert(m_problems.end(), outdated.begin(), outdated.end());
     m_notChecked = std::move(notChecked);
     endResetModel();
 }
@@ -151,15 +164,15 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     case kSortRole:
         return shown != nullptr ? sortValue(*shown, column) : QVariant(text(*open, column));
     case Qt::ToolTipRole:
-        return shown != nullptr ? wholeText(*shown) : wholeText(*open);
+        return (isOutdated(index.row())
+                    ? QStringLiteral("<p><i>%1</i></p>").arg(tr("Of the check before the last change"))
+                    : QString()) +
+               (shown != nullptr ? wholeText(*shown) : wholeText(*open));
+    case Qt::ForegroundRole:
+        return isOutdated(index.row()) ? QGuiApplication::palette().brush(QPalette::PlaceholderText)
+                                       : QVariant();
     case Qt::DecorationRole:
-        if (column != kSeverity)
-            return {};
-        if (shown != nullptr && shown->waived)
-            return m_acceptedIcon;
-        if (shown != nullptr)
-            return m_icons[static_cast<std::size_t>(shown->diagnostic.severity)];
-        return open->accepted ? m_acceptedIcon : m_openIcon;
+        return column == kSeverity ? QVariant(iconOf(index.row())) : QVariant();
     case Qt::TextAlignmentRole:
         if (column == kLine || column == kSize || column == kCount)
             return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
@@ -167,6 +180,19 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     default:
         return {};
     }
+}
+
+QIcon ProblemsModel::iconOf(int row) const {
+    const auto plain = [&] {
+        if (const CheckFinding* shown = problem(row))
+            return shown->waived ? m_acceptedIcon
+                                 : m_icons[static_cast<std::size_t>(shown->diagnostic.severity)];
+        return notChecked(row)->accepted ? m_acceptedIcon : m_openIcon;
+    };
+    if (!isOutdated(row))
+        return plain();
+    constexpr int kPixels = 16;
+    return QIcon(plain().pixmap(kPixels, QIcon::Disabled));
 }
 
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -30,6 +30,7 @@
 #include "ui/look/diagnostic_text.h"
 #include "ui/look/elided_label.h"
 #include "ui/readout/problem_list.h"
+#include "ui/readout/verdict_text.h"
 
 namespace proveout {
 
@@ -89,7 +90,7 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
     connect(m_filter, &QLineEdit::textChanged, m_order, &ProblemsOrder::setWanted);
     connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) {
         if (const CheckFinding* problem = problemAt(index))
-            goTo(*problem);
+            goTo(*problem, m_model->isOutdated(m_order->mapToSource(index).row()));
     });
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
@@ -138,11 +139,12 @@ const CheckFinding* ProblemsPanel::problemAt(const QModelIndex& index) const {
 void ProblemsPanel::showProblems() {
     const int row = m_view->currentIndex().row();
     const int scrolled = m_view->verticalScrollBar()->value();
-    const auto& report = m_session.check().report();
-    m_model->setProblems(problemList(m_session), report ? report->notChecked : std::vector<NotChecked>());
+    listProblems();
     const bool any = m_model->rowCount() > 0;
     showNothingFound();
     m_summary->setText(summary());
+    m_empty->setToolTip(changeDetails());
+    m_summary->setToolTip(changeDetails());
     m_view->setVisible(any);
     m_filter->setVisible(any);
     m_empty->setVisible(m_model->problems().empty());
@@ -152,6 +154,44 @@ void ProblemsPanel::showProblems() {
     m_columns->measure();
     m_view->doItemsLayout();                         // updates the range of the scroll bar
     m_view->verticalScrollBar()->setValue(scrolled); // keeps the rows that the user is reading in place
+}
+
+/// While a check runs, the rows of the one before stay.
+void ProblemsPanel::listProblems() {
+    const CheckHub& check = m_session.check();
+    std::vector<CheckFinding> problems = problemList(m_session);
+    if (check.report())
+        return m_model->setProblems(std::move(problems), check.report()->notChecked);
+    const std::vector<CheckFinding> outdated = outdatedProblems(m_session, problems);
+    const bool awaited = check.progress() && check.before();
+    m_model->setProblems(std::move(problems), outdated,
+                         awaited ? check.before()->notChecked : std::vector<NotChecked>());
+}
+
+/// "since the last check: 1 new, 2 gone"; empty if nothing has changed.
+QString ProblemsPanel::changeText() const {
+    const auto change = m_session.check().change();
+    if (!change || *change == CheckChange())
+        return {};
+    return tr("since the last check: %1 new, %2 gone")
+        .arg(locale().toString(static_cast<qulonglong>(change->added)),
+             locale().toString(static_cast<qulonglong>(change->gone)));
+}
+
+/// What is new and what is gone, one line each.
+QString ProblemsPanel::changeDetails() const {
+    const CheckHub& check = m_session.check();
+    if (!check.report() || !check.before())
+        return {};
+    constexpr std::size_t kMostLines = 10;
+    QStringList lines;
+    const auto add = [&](const QString& title, const std::vector<CheckFinding>& findings) {
+        for (std::size_t k = 0; k < std::min(findings.size(), kMostLines); ++k)
+            lines << title.arg(placedSentence(findings[k], locale()));
+    };
+    add(tr("New: %1"), missingFrom(*check.before(), *check.report()));
+    add(tr("Gone: %1"), missingFrom(*check.report(), *check.before()));
+    return lines.join(u'\n');
 }
 
 /// "Machining fault: 2 · Warning: 1 · Not checked: 3"
@@ -168,11 +208,10 @@ QString ProblemsPanel::summary() const {
     add(tr("Waived"), std::ranges::count_if(m_model->problems(),
                                             [](const CheckFinding& one) { return one.waived.has_value(); }));
     add(tr("Not checked"), std::ranges::count(m_model->notChecked(), false, &NotChecked::accepted));
-    const auto change = m_session.check().change();
-    if (change && *change != CheckChange())
-        parts << tr("since the last check: %1 new, %2 gone")
-                     .arg(locale().toString(static_cast<qulonglong>(change->added)),
-                          locale().toString(static_cast<qulonglong>(change->gone)));
+    if (const QString change = changeText(); !change.isEmpty())
+        parts << change;
+    if (m_session.check().progress())
+        parts.prepend(tr("checking…"));
     return parts.join(QStringLiteral(" · "));
 }
 
@@ -183,8 +222,10 @@ QString ProblemsPanel::nothingFound() const {
         return tr("Open a program to see its problems.");
     if (!program || m_session.program().isReading())
         return tr("Reading the program; no problems so far.");
-    if (m_session.check().report())
-        return tr("No problems found.");
+    if (m_session.check().report()) {
+        const QString change = changeText();
+        return change.isEmpty() ? tr("No problems found.") : tr("No problems found (%1).").arg(change);
+    }
     if (m_session.check().progress())
         return tr("Checking the program; no problems so far.");
     const FramePtr& frame = m_session.simulation().frame();
@@ -203,14 +244,18 @@ void ProblemsPanel::showNothingFound() {
         m_empty->setText(text);
 }
 
-void ProblemsPanel::goTo(const CheckFinding& problem) {
+void ProblemsPanel::goTo(const CheckFinding& problem, bool outdated) {
     if (!ProblemsHub::isInText(problem.diagnostic))
         return;
-    if (const auto line = m_session.contact().show(problem)) {
-        emit m_session.navigation().lineRequested(*line, 1);
+    const auto line = static_cast<std::uint32_t>(problem.diagnostic.where.line);
+    if (outdated) { // its blocks may be others now
+        emit m_session.navigation().lineRequested(line, problem.diagnostic.where.column);
         return;
     }
-    const auto line = static_cast<std::uint32_t>(problem.diagnostic.where.line);
+    if (const auto contact = m_session.contact().show(problem)) {
+        emit m_session.navigation().lineRequested(*contact, 1);
+        return;
+    }
     emit m_session.navigation().lineRequested(line, problem.diagnostic.where.column);
     if (problem.block > 0)
         m_session.playback().seek(problem.block);
@@ -226,16 +271,16 @@ void ProblemsPanel::showMenu(const QPoint& position) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     if (const CheckFinding* problem = problemAt(index))
-        addProblemActions(*menu, *problem);
+        addProblemActions(*menu, *problem, m_model->isOutdated(m_order->mapToSource(index).row()));
     else
         addAcceptAction(*menu, *m_model->notChecked(m_order->mapToSource(index).row()));
     menu->popup(m_view->viewport()->mapToGlobal(position));
 }
 
-void ProblemsPanel::addProblemActions(QMenu& menu, const CheckFinding& problem) {
+void ProblemsPanel::addProblemActions(QMenu& menu, const CheckFinding& problem, bool outdated) {
     const Diagnostic& diagnostic = problem.diagnostic;
     if (ProblemsHub::isInText(diagnostic))
-        menu.addAction(tr("Go to Line"), this, [this, problem] { goTo(problem); });
+        menu.addAction(tr("Go to Line"), this, [this, problem, outdated] { goTo(problem, outdated); });
     menu.addAction(tr("Copy"), this, [text = sentence(diagnostic) + u' ' + hint(diagnostic)] {
         QGuiApplication::clipboard()->setText(text);
     });
@@ -365,7 +410,7 @@ void ProblemsPanel::goToNeighbour(int direction) {
         const QModelIndex index = m_order->index(row, 0);
         if (const CheckFinding* problem = problemAt(index)) {
             m_view->setCurrentIndex(index);
-            return goTo(*problem);
+            return goTo(*problem, m_model->isOutdated(m_order->mapToSource(index).row()));
         }
     }
 }

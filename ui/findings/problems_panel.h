@@ -42,13 +42,17 @@ private:
 
     void build();
     void showProblems();
+    void listProblems();
+    [[nodiscard]] QString changeText() const;
+    [[nodiscard]] QString changeDetails() const;
     [[nodiscard]] QString nothingFound() const;
     [[nodiscard]] QString summary() const;
     void showNothingFound();
-    void goTo(const CheckFinding& problem);
+    /// `outdated`: of a check before the last change.
+    void goTo(const CheckFinding& problem, bool outdated);
     /// The problem of a row of the list; null: it is of something that was not checked.
     [[nodiscard]] const CheckFinding* problemAt(const QModelIndex& index) const;
-    void addProblemActions(QMenu& menu, const CheckFinding& problem);
+    void addProblemActions(QMenu& menu, const CheckFinding& problem, bool outdated);
     void addJudgementActions(QMenu& menu, const CheckFinding& finding);
     void addAcceptAction(QMenu& menu, const NotChecked& entry);
     void accept(const char* id, bool accepted);

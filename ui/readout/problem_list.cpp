@@ -69,6 +69,22 @@ std::vector<CheckFinding> problemList(const Session& session) {
     return all;
 }
 
+std::vector<CheckFinding> outdatedProblems(const Session& session, const std::vector<CheckFinding>& known) {
+    const CheckHub& check = session.check();
+    if (check.report() || !check.progress() || !check.before())
+        return {};
+    std::set<std::pair<std::string, std::string>> listed;
+    for (const CheckFinding& one : known)
+        listed.emplace(one.diagnostic.id, message(one.diagnostic));
+    const CheckReport& before = *check.before();
+    std::vector<CheckFinding> outdated(before.findings.begin() + static_cast<std::ptrdiff_t>(before.ofText),
+                                       before.findings.end());
+    std::erase_if(outdated, [&](const CheckFinding& one) {
+        return listed.contains({one.diagnostic.id, message(one.diagnostic)});
+    });
+    return outdated;
+}
+
 std::vector<CheckFinding> problemsInText(const Session& session) {
     std::vector<CheckFinding> all;
     std::set<std::pair<std::string, int>> marked;

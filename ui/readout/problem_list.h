@@ -15,6 +15,11 @@ class Session;
 /// that were played, because it has seen all blocks.
 [[nodiscard]] std::vector<CheckFinding> problemList(const Session& session);
 
+/// While a result is awaited: what the check before the last change has found besides the text, without what
+/// is known to be there still. It may be gone, and its lines may be others. Empty otherwise.
+[[nodiscard]] std::vector<CheckFinding> outdatedProblems(const Session& session,
+                                                         const std::vector<CheckFinding>& known);
+
 /// The finding of a report with this diagnostic; null if there is none.
 [[nodiscard]] const CheckFinding* findingOf(const CheckReport& report, const Diagnostic& diagnostic);
 

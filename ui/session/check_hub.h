@@ -38,7 +38,9 @@ public:
     /// In [0, 1] while a result is awaited.
     [[nodiscard]] const std::optional<double>& progress() const { return m_progress; }
 
-    /// How report() differs from that before the last change of the same text; nothing without both.
+    /// The result before the last change of the same text; null if there was none.
+    [[nodiscard]] const std::shared_ptr<const CheckReport>& before() const { return m_before; }
+    /// How report() differs from it; nothing without both.
     [[nodiscard]] std::optional<CheckChange> change() const;
 
     /// Ids of what need not be checked (notCheckedRows()) in any program, besides those of the job; the

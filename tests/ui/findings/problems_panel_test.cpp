@@ -265,6 +265,52 @@ private slots:
         QCOMPARE(bench.rowOf("waiver-unused"), -1);
     }
 
+    void rowsOfTheCheckBeforeStayInGreyUntilTheNextResult() {
+        Bench bench;
+        QVERIFY(bench.openWithRapids());
+        const int rows = bench.list().model()->rowCount();
+        const QModelIndex first =
+            bench.list().model()->index(bench.rowOf("rapid-cuts"), ProblemsModel::kSentence);
+        QVERIFY(!first.data(Qt::ForegroundRole).isValid());
+        QSignalSpy lines(&bench.session.navigation(), &NavigationHub::lineRequested);
+        const std::string text = bench.session.document().text().text.toString();
+        bench.session.document().applyEdit(text.find("G0 Y10"), 2, "G1");
+        QVERIFY(bench.session.check().report() == nullptr);
+        QCOMPARE(bench.list().model()->rowCount(), rows);
+        const QModelIndex same =
+            bench.list().model()->index(bench.rowOf("rapid-cuts"), ProblemsModel::kSentence);
+        QVERIFY(same.data(Qt::ForegroundRole).isValid());
+        auto* summary = bench.panel.findChild<QLabel*>(QStringLiteral("problem-summary"));
+        QVERIFY(summary->text().startsWith(QStringLiteral("checking…")));
+        emit bench.list().activated(same);
+        QCOMPARE(lines.count(), 1); // its block may be another one, but its line is gone to
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.check().report() != nullptr, kPatience);
+        QVERIFY(!bench.list()
+                     .model()
+                     ->index(bench.rowOf("rapid-cuts"), ProblemsModel::kSentence)
+                     .data(Qt::ForegroundRole)
+                     .isValid());
+        QVERIFY(!summary->text().startsWith(QStringLiteral("checking…")));
+    }
+
+    void whatIsGoneIsSaidWhereNothingIsLeft() {
+        Bench bench;
+        QVERIFY(bench.open(kProgram));
+        QVERIFY(bench.defineTool());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session.check().report() != nullptr, kPatience);
+        QCOMPARE(bench.text(), QStringLiteral("No problems found."));
+        const auto edit = [&bench](const char* from, const char* to) {
+            const std::string text = bench.session.document().text().text.toString();
+            bench.session.document().applyEdit(text.find(from), std::string(from).size(), to);
+            return QTest::qWaitFor([&bench] { return bench.session.check().report() != nullptr; }, kPatience);
+        };
+        QVERIFY(edit("G1 Z-1", "G0 Z-1"));
+        QVERIFY(bench.rowOf("rapid-cuts") >= 0);
+        QVERIFY(edit("G0 Z-1", "G1 Z-1"));
+        QCOMPARE(bench.text(), QStringLiteral("No problems found (since the last check: 0 new, 1 gone)."));
+        QVERIFY(bench.label().toolTip().startsWith(QStringLiteral("Gone: Line 6")));
+    }
+
     void aWaiverOfAnotherCutterIsRemoved() {
         Bench bench;
         QVERIFY(bench.openWithRapids());
