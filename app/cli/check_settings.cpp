@@ -50,7 +50,7 @@ Result<void> setLimit(const std::string& key, const std::string& text, RuleLimit
     return fits ? Result<void>() : failure(kRuleValueBad, {text, key});
 }
 
-/// `ID=off`, `ID:T3=off` or `ID:key=value`
+/// `ID=off`, `ID:T3=off`, `ID:key=value` or `ID:T3.key=value`
 Result<void> setRule(const std::string& item, CheckRules& rules) {
     const std::size_t equals = item.find('=');
     const std::size_t colon = item.find(':');
@@ -61,6 +61,13 @@ Result<void> setRule(const std::string& item, CheckRules& rules) {
         return failure(kRuleUnknown, {id});
     const std::string value = item.substr(equals + 1);
     const std::string key = colon < equals ? item.substr(colon + 1, equals - colon - 1) : std::string();
+    if (const std::string name = item.substr(0, equals); parseLimitOfTool(name)) {
+        RuleLimits scratch;
+        if (auto set = setLimit(key.substr(key.find('.') + 1), value, scratch); !set)
+            return set;
+        std::from_chars(value.data(), value.data() + value.size(), rules.limitsOfTools[name]);
+        return {};
+    }
     const auto tool = key.starts_with('T') ? parseToolNumber(key.substr(1)) : std::nullopt;
     if (!key.empty() && !tool)
         return setLimit(key, value, rules.limits);
@@ -76,8 +83,9 @@ void CheckSettings::addTo(CLI::App& command) {
     command
         .add_option("--rules", m_rules,
                     "Rules that are off, for all tools or one, and limits: "
-                    "air-cutting=off,full-slot:T3=off,table-collision:belowStock=5; ids: proveout-cli rules")
-        ->type_name("ID=off|ID:T…=off|ID:key=value,…");
+                    "air-cutting=off,full-slot:T3=off,table-collision:belowStock=5,"
+                    "table-collision:T3.belowStock=1; ids: proveout-cli rules")
+        ->type_name("ID=off|ID:T…=off|ID:key=value|ID:T….key=value,…");
     command.add_option("--accept", m_accepted, "What need not be checked, by the ids under \"not checked\"")
         ->type_name("ID,…");
 }

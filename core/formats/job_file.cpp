@@ -271,6 +271,11 @@ void readCheck(JsonFields& job, CheckRules& check) {
     JsonFields fields = job.object(kCheck);
     JsonFields limits = fields.object("limits");
     describe(check.limits, FieldReader{limits});
+    for (const std::string& name : limits.keys())
+        if (const auto of = parseLimitOfTool(name)) {
+            const Field field = *limitField(of->key);
+            limits.read(name.c_str(), check.limitsOfTools[name], {field.minimum, field.maximum});
+        }
     limits.warnAboutUnknown();
     readReasons(fields.object("off"), check.off);
     readReasons(fields.object("accepted"), check.accepted);
@@ -297,6 +302,8 @@ ordered_json toJson(const CheckRules& check) {
     ordered_json out = ordered_json::object();
     if (check.limits != RuleLimits())
         describe(check.limits, FieldWriter{out["limits"]});
+    for (const auto& [name, value] : check.limitsOfTools)
+        out["limits"][name] = value;
     for (const auto& [id, reason] : check.off)
         out["off"][id] = reason;
     for (const auto& [id, reason] : check.accepted)

@@ -177,9 +177,13 @@ TEST_F(CliCheck, RulesAreTurnedOffAndLimitsSet) {
     const std::string options = " --stock 40x30x10 --grid 0.5 --tool 1=ball:d=4,l=20 --rules ";
     EXPECT_EQ(judged(text, options + "table-collision=off"), Ids{"safe"});
     EXPECT_EQ(judged(text, options + "table-collision:belowStock=5"), Ids{"safe"});
+    EXPECT_EQ(judged(text, options + "table-collision:T1.belowStock=5"), Ids{"safe"});
+    EXPECT_EQ(judged(text, options + "table-collision:T2.belowStock=5"), (Ids{"faults", "table-collision"}));
     const std::string file = write("part.nc", text);
-    for (const char* bad : {"nonsense=off", "table-collision=on", "table-collision", "a:b=1",
-                            "table-collision:belowStock=-1", "table-collision:belowStock=x"})
+    for (const char* bad :
+         {"nonsense=off", "table-collision:T1.belowStock=-1", "table-collision:T1.below=1",
+          "table-collision:Tx.belowStock=1", "nonsense:T1.belowStock=1", "table-collision=on",
+          "table-collision", "a:b=1", "table-collision:belowStock=-1", "table-collision:belowStock=x"})
         EXPECT_EQ(run("check " + file + options + bad).exitCode, 3) << bad;
 }
 

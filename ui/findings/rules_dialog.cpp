@@ -74,6 +74,7 @@ RulesDialog::RulesDialog(CheckRules rules, QWidget* parent)
 
 void RulesDialog::restore() {
     m_rules.limits = {};
+    m_rules.limitsOfTools.clear();
     m_rules.off.clear();
     show(m_rules);
 }

@@ -70,7 +70,8 @@ void CheckHub::setAccepted(std::set<std::string> accepted) {
 /// Other limits need another check; what somebody answers for does not.
 void CheckHub::adoptRules() {
     const CheckRules& rules = m_job.check();
-    const bool sameRules = rules.limits == m_rules.limits && rules.off == m_rules.off;
+    const bool sameRules = rules.limits == m_rules.limits && rules.off == m_rules.off &&
+                           rules.limitsOfTools == m_rules.limitsOfTools;
     if (sameRules)
         answer();
     else

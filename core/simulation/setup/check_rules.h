@@ -129,13 +129,39 @@ using IdsWithReasons = std::map<std::string, std::string>;
     return off.substr(0, off.find(':'));
 }
 
+/// A limit of one rule for one tool: "table-collision:T3.belowStock". Value type.
+struct LimitOfTool {
+    std::string rule = {};
+    int tool = 0;
+    std::string key = {}; ///< of RuleLimits
+};
+/// Nothing if a text is not written like this, or RuleLimits has no such key.
+[[nodiscard]] std::optional<LimitOfTool> parseLimitOfTool(std::string_view text);
+/// The description of a limit; nothing if there is none with this key.
+[[nodiscard]] std::optional<Field> limitField(std::string_view key);
+
 /// Value type; read by several threads at once.
 struct CheckRules {
     RuleLimits limits = {};
     IdsWithReasons off = {};      ///< rules: "full-slot"; for one tool: "full-slot:T3"
     IdsWithReasons accepted = {}; ///< entries of notCheckedRows()
     std::vector<Waiver> waivers = {};
+    /// By names that parseLimitOfTool() reads; in place of those of `limits`.
+    std::map<std::string, double> limitsOfTools = {};
 
+    /// The limits of a rule for the tools that have limits of their own.
+    [[nodiscard]] std::map<int, RuleLimits> limitsOf(std::string_view rule) const;
+    /// Whether a condition holds for the limits of all tools, or for those of one with its own.
+    template<class Condition>
+    [[nodiscard]] bool any(const Condition& condition) const {
+        if (condition(limits))
+            return true;
+        for (const auto& named : limitsOfTools)
+            for (const auto& own : limitsOf(ruleOf(named.first)))
+                if (condition(own.second))
+                    return true;
+        return false;
+    }
     /// Whether the rule is turned off for this tool; 0: a finding that concerns no tool.
     [[nodiscard]] bool isOff(std::string_view rule, int tool = 0) const {
         return !off.empty() && (off.contains(std::string(rule)) || off.contains(ruleForTool(rule, tool)));

@@ -67,9 +67,9 @@ public:
 
     Result<std::shared_ptr<const CheckReport>> run() {
         add(m_subject.warnings);
-        add(findingsOf(m_subject.setup->fixtures));
         add(m_program.diagnostics());
         m_report.ofText = m_report.findings.size();
+        add(findingsOf(m_subject.setup->fixtures));
         addUnknownIds();
         if (!m_rules.isOff(rule_finding::kCommentShape.id))
             add(differingComments(m_subject.proposals, m_subject.setup->tools));
@@ -110,9 +110,14 @@ private:
             return std::ranges::any_of(notCheckedRows(),
                                        [&](const NotCheckedRow& row) { return id == row.id; });
         };
-        for (const auto& [id, reason] : m_rules.off)
+        const auto addUnknown = [this](const std::string& id) {
             if (findFinding(std::string(ruleOf(id))) == nullptr)
                 add(Diagnostics{diagnosticOf(check_finding::kRuleSettingUnknown, {id})});
+        };
+        for (const auto& [id, reason] : m_rules.off)
+            addUnknown(id);
+        for (const auto& [name, value] : m_rules.limitsOfTools)
+            addUnknown(name);
         for (const auto& [id, reason] : m_rules.accepted)
             if (!isOpen(id))
                 add(Diagnostics{diagnosticOf(check_finding::kRuleSettingUnknown, {id})});
@@ -120,7 +125,8 @@ private:
 
     /// Keeping the uncut stock keeps the tiles that will be cut: only where a rule needs them.
     [[nodiscard]] bool needsBegin() const {
-        return m_rules.limits.rapidClearance > 0 || m_rules.limits.holderClearance > 0;
+        return m_rules.any(
+            [](const RuleLimits& limits) { return limits.rapidClearance > 0 || limits.holderClearance > 0; });
     }
 
     Result<void> prepareStock() {

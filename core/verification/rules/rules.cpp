@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/base/figures_argument.h"
 #include "core/verification/findings/rule_findings.h"
@@ -124,12 +125,31 @@ const char* unitOf(const FindingRow& row) {
     return "";
 }
 
+namespace {
+
+/// Findings of blocks with a tool that has limits of its own are by these.
+std::vector<RuleFinding> judgedBy(const Rule& rule, const CheckedRun& run, const CheckRules& by) {
+    const auto judged = [&](const RuleLimits& limits) {
+        RuleFindings findings;
+        rule.judge(run, limits, findings);
+        return findings.all();
+    };
+    std::vector<RuleFinding> all = judged(by.limits);
+    for (const auto& [tool, limits] : by.limitsOf(rule.id())) {
+        const auto isOfTool = [tool = tool](const RuleFinding& one) { return one.block && one.tool == tool; };
+        std::erase_if(all, isOfTool);
+        std::ranges::copy_if(judged(limits), std::back_inserter(all), isOfTool);
+    }
+    return all;
+}
+
+} // namespace
+
 std::vector<RuleFinding> judge(const CheckedRun& run, const CheckRules& by, const WorkContext& context) {
-    RuleFindings findings;
+    std::vector<RuleFinding> all;
     for (const Rule& rule : kRules)
         if (!context.stopped() && !by.off.contains(rule.id()))
-            rule.judge(run, by.limits, findings);
-    std::vector<RuleFinding> all = findings.all();
+            std::ranges::move(judgedBy(rule, run, by), std::back_inserter(all));
     std::erase_if(all, [&by](const RuleFinding& one) { return by.isOff(one.row->id, one.tool); });
     return all;
 }

@@ -231,7 +231,7 @@ TEST_F(JobFile, TheMachineIsAssumedUnlessTheJobDescribesIt) {
 
 TEST_F(JobFile, TheCheckHasLimitsRulesAndWaivers) {
     const auto job = read(with("\"grid\"", R"("check": {
-        "limits": {"rapidClearance": 1.5},
+        "limits": {"rapidClearance": 1.5, "fixture-near:T3.fixtureClearance": 4},
         "off": {"full-slot:T3": "trochoidal"},
         "accepted": {"manual-stops": "clamps are turned by hand"},
         "waivers": {"first": {"finding": "rapid-cuts", "tool": 1, "count": 2, "values": "0.5",
@@ -239,6 +239,9 @@ TEST_F(JobFile, TheCheckHasLimitsRulesAndWaivers) {
     ASSERT_TRUE(job);
     EXPECT_EQ(job->check.limits.rapidClearance, 1.5);
     EXPECT_EQ(job->check.limits.belowStock, RuleLimits().belowStock);
+    EXPECT_EQ(job->check.limitsOf("fixture-near").at(3).fixtureClearance, 4);
+    EXPECT_EQ(job->check.limitsOf("fixture-near").at(3).rapidClearance, 1.5);
+    EXPECT_TRUE(job->check.limitsOf("fixture-collision").empty());
     EXPECT_TRUE(job->check.isOff("full-slot", 3));
     EXPECT_FALSE(job->check.isOff("full-slot", 2));
     EXPECT_EQ(job->check.accepted.at("manual-stops"), "clamps are turned by hand");
@@ -259,6 +262,9 @@ TEST_F(JobFile, AWaiverNeedsAReasonAndAnOwner) {
     EXPECT_THAT(about(R"("finding": "a", "owner": "b", "reason": "c", "place": [1, 2])"),
                 HasSubstr("check.waivers.a.place"));
     EXPECT_FALSE(read(with("\"grid\"", R"("check": {"limits": {"rapidClearance": -1}}, "grid")")));
+    EXPECT_FALSE(read(with("\"grid\"", R"("check": {"limits": {"tap-feed:T3.tapFeedError": -1}}, "grid")")));
+    EXPECT_THAT(reported(with("\"grid\"", R"("check": {"limits": {"tap-feed:T3.feed": 1}}, "grid")")),
+                HasSubstr("tap-feed:T3.feed"));
     EXPECT_FALSE(read(with("\"grid\"", R"("check": {"off": ["full-slot"]}, "grid")")));
 }
 
@@ -477,7 +483,8 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
             .off = {{"full-slot:T3", "a \"b\""}, {"air-cutting", {}}},
             .accepted = {{"probing", "ä"}},
             .waivers = {{"rapid-cuts", 3, 7, "1; 2", Vec3(real(random), -0.1, 1e-9), "c", "d", "flat:d=6"},
-                        {"code-unknown", 0, 1, "G987", {}, "e", "f"}}};
+                        {"code-unknown", 0, 1, "G987", {}, "e", "f"}},
+            .limitsOfTools = {{"tap-feed:T7.tapFeedError", std::abs(real(random)) / 1e4}}};
     return job;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -201,6 +202,43 @@ TEST(Check, RulesAreTurnedOffForAllToolsOrOne) {
     EXPECT_EQ(faults({{"rapid-cuts", {}}}), 0U);
 }
 
+TEST(Check, AToolHasLimitsOfItsOwn) {
+    // T1 goes 4 mm below the stock, T2 5 mm.
+    const std::string text =
+        kHead + "G1 Z-14 F100\nG0 Z5\nT2 M6\nS1000 M3\nG0 X9\nG1 Z-15 F100\nG0 Z5\nM30\n";
+    auto subject = subjectOf(text);
+    subject.setup = setupWithTool(2, "ball:d=4");
+    const auto tools = [&](const RuleLimits& limits, const std::map<std::string, double>& own) {
+        const auto report =
+            check(subject, {.limits = limits, .accepted = kAll, .limitsOfTools = own}, kAnyMemory).value();
+        std::vector<int> found;
+        for (const CheckFinding& one : report->findings)
+            if (one.diagnostic.id == std::string("table-collision"))
+                found.push_back(one.tool);
+        return found;
+    };
+    using Tools = std::vector<int>;
+    EXPECT_EQ(tools({}, {}), (Tools{1, 2}));
+    EXPECT_EQ(tools({}, {{"table-collision:T1.belowStock", 4}}), Tools{2});
+    EXPECT_EQ(tools({}, {{"table-collision:T1.belowStock", 4}, {"table-collision:T2.belowStock", 5}}),
+              Tools{});
+    EXPECT_EQ(tools({.belowStock = 9}, {{"table-collision:T2.belowStock", 4.5}}), Tools{2});
+    EXPECT_EQ(tools({}, {{"rapid-cuts:T1.belowStock", 9}}), (Tools{1, 2})) << "of another rule";
+}
+
+TEST(Check, AClearanceOfOneToolAloneIsJudged) {
+    auto subject = subjectOf(kHead + "G1 Z-2 F100\nG0 Z0.5\nX20\nM30\n");
+    const auto found = [&](const std::string& name) {
+        const auto report =
+            check(subject, {.accepted = kAll, .limitsOfTools = {{name, 1}}}, kAnyMemory).value();
+        return std::ranges::any_of(report->findings, [](const CheckFinding& one) {
+            return one.diagnostic.id == std::string("rapid-too-close");
+        });
+    };
+    EXPECT_TRUE(found("rapid-too-close:T1.rapidClearance"));
+    EXPECT_FALSE(found("rapid-too-close:T2.rapidClearance"));
+}
+
 TEST(Check, NamesUnknownIdsOfTheJob) {
     const CheckReport report =
         reportOf(kClean, {.off = {{"rapid-cut", {}}, {"full-slot:T3", {}}}, .accepted = {{"travel", {}}}});
@@ -379,6 +417,7 @@ TEST(Check, OfAFixtureThatCannotBeReadIsUnverified) {
         message(missing->findings.front().diagnostic),
         "The fixture \"vice\" is not checked, because its file cannot be used: The check failed: a hole.");
     EXPECT_EQ(missing->findings.front().diagnostic.file, "/vice.stl");
+    EXPECT_EQ(missing->ofText, 0U) << "the window has no other source of it";
     EXPECT_EQ(verdictWith(nullptr)->verdict(), Verdict::unverified);
 }
 
