@@ -62,6 +62,7 @@ constexpr std::array kTables{
     FindingTable{FindingSource::stock, stock_finding::kStockFileRows, true},
     FindingTable{FindingSource::setup, setup_finding::kSetupRows, true},
     FindingTable{FindingSource::setup, fixture_finding::kFixtureRows, true},
+    FindingTable{FindingSource::setup, fixture_finding::kFixtureFileRows, false},
     FindingTable{FindingSource::simulation, cutting_finding::kCuttingRows, false},
     FindingTable{FindingSource::simulation, tool_finding::kToolRows, false},
     FindingTable{FindingSource::rules, rule_finding::kRuleRows, false},
