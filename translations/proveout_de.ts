@@ -9964,12 +9964,12 @@ Vorgabe: 0 mm</translation>
         <translation>Behoben: %1</translation>
     </message>
     <message>
-        <source>checking…</source>
-        <translation>wird geprüft…</translation>
-    </message>
-    <message>
         <source>No problems found (%1).</source>
         <translation>Keine Probleme gefunden (%1).</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft…</translation>
     </message>
 </context>
 <context>

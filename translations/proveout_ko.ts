@@ -9963,12 +9963,12 @@ Default: 0 mm</source>
         <translation>해결: %1</translation>
     </message>
     <message>
-        <source>checking…</source>
-        <translation>검사 중…</translation>
-    </message>
-    <message>
         <source>No problems found (%1).</source>
         <translation>문제가 없습니다(%1).</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>검사 중…</translation>
     </message>
 </context>
 <context>

@@ -211,7 +211,7 @@ QString ProblemsPanel::summary() const {
     if (const QString change = changeText(); !change.isEmpty())
         parts << change;
     if (m_session.check().progress())
-        parts.prepend(tr("checking…"));
+        parts.prepend(tr("Checking…"));
     return parts.join(QStringLiteral(" · "));
 }
 

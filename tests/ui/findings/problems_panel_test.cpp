@@ -281,7 +281,7 @@ private slots:
             bench.list().model()->index(bench.rowOf("rapid-cuts"), ProblemsModel::kSentence);
         QVERIFY(same.data(Qt::ForegroundRole).isValid());
         auto* summary = bench.panel.findChild<QLabel*>(QStringLiteral("problem-summary"));
-        QVERIFY(summary->text().startsWith(QStringLiteral("checking…")));
+        QVERIFY(summary->text().startsWith(QStringLiteral("Checking…")));
         emit bench.list().activated(same);
         QCOMPARE(lines.count(), 1); // its block may be another one, but its line is gone to
         QTRY_VERIFY_WITH_TIMEOUT(bench.session.check().report() != nullptr, kPatience);
@@ -290,7 +290,7 @@ private slots:
                      ->index(bench.rowOf("rapid-cuts"), ProblemsModel::kSentence)
                      .data(Qt::ForegroundRole)
                      .isValid());
-        QVERIFY(!summary->text().startsWith(QStringLiteral("checking…")));
+        QVERIFY(!summary->text().startsWith(QStringLiteral("Checking…")));
     }
 
     void whatIsGoneIsSaidWhereNothingIsLeft() {
