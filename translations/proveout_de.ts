@@ -11193,6 +11193,10 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Die Darstellung ist gröber als das Raster, weil die Oberfläche %L1 Dreiecke hat. Eine Dezimierung verringert sie.</translation>
     </message>
     <message>
+        <source>The picture is coarser than the grid. Zoom in.</source>
+        <translation>Die Darstellung ist gröber als das Raster. Näher heranzoomen.</translation>
+    </message>
+    <message>
         <source>The picture is coarser than the grid. Zoom in, or allow more graphics memory.</source>
         <translation>Die Darstellung ist gröber als das Raster. Näher heranzoomen oder mehr Grafikspeicher erlauben.</translation>
     </message>

@@ -11192,6 +11192,10 @@ Default: the next free number</source>
         <translation>표면의 삼각형이 %L1개여서 그림이 격자보다 거칩니다. 단순화하면 줄어듭니다.</translation>
     </message>
     <message>
+        <source>The picture is coarser than the grid. Zoom in.</source>
+        <translation>그림이 격자보다 거칩니다. 확대하십시오.</translation>
+    </message>
+    <message>
         <source>The picture is coarser than the grid. Zoom in, or allow more graphics memory.</source>
         <translation>그림이 격자보다 거칩니다. 확대하거나 그래픽 메모리를 더 허용하십시오.</translation>
     </message>

@@ -37,18 +37,20 @@ std::size_t GraphicsShares::pageBytes() const {
 
 GraphicsShares GraphicsShares::of(const Grid& grid, std::size_t bytes, const TextureLimits& limits) {
     GraphicsShares shares;
-    const CoarsePoints coarse = CoarsePoints::within(grid, bytes / 10 * 3, limits.side);
+    const CoarsePoints coarse =
+        CoarsePoints::within(grid, std::min(bytes / 10 * 3, limits.bytes), limits.side);
     shares.coarseStep = coarse.step;
     shares.coarse = coarse.bytes();
     shares.lists = bytes / 5;
     const auto mostRows = static_cast<std::size_t>(limits.side); // of the texture with the table
-    shares.vertices = std::min(bytes / 8, mostRows * PointTable::kRow * sizeof(PointTable::Entry));
+    shares.vertices =
+        std::min({bytes / 8, limits.bytes, mostRows * PointTable::kRow * sizeof(PointTable::Entry)});
     shares.walls = std::min(bytes / 8, mostWallBytes(grid));
     const std::size_t held = shares.coarse + shares.lists + shares.vertices + shares.walls;
     const auto setPage = [&](int points) {
         shares.pagePoints = points;
         const std::size_t used = held + layerBytes(grid, points);
-        shares.pages = bytes > used ? bytes - used : 0;
+        shares.pages = std::min(bytes > used ? bytes - used : 0, limits.bytes);
         shares.slotCount = shares.pages / shares.pageBytes();
     };
     const auto fits = [&](int points) { return points + 2 * HeightPages::kMargin <= limits.side; };

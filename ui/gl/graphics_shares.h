@@ -2,15 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "core/zmap/stock.h"
 
 namespace proveout {
 
-/// The limits of a graphics driver.
+/// The limits of the textures of a graphics driver.
 struct TextureLimits {
     int side = 1; ///< points along a side of a texture
     int layers = 1;
+    /// Of one texture, which is created in one piece.
+    std::size_t bytes = std::numeric_limits<std::size_t>::max();
 };
 
 /// How a number of bytes of graphics memory is divided where it cannot hold all heights of a grid. All in

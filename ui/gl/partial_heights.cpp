@@ -14,29 +14,57 @@ constexpr GLint kUsualAlignment = 4;
 
 } // namespace
 
-bool PartialHeights::restart(Gl& gl, const ZMapSnapshot& moment, const GraphicsShares& shares) {
+void PartialHeights::restart(Gl& gl, const ZMapSnapshot& moment, const GraphicsShares& shares) {
+    release(gl);
     m_grid = moment.grid();
     m_floor = moment.floor();
     m_points = CoarsePoints::of(m_grid, shares.coarseStep);
     m_pages = HeightPages::ofSide(m_grid, shares.pagePoints);
+    m_vertexBytes = shares.vertices;
     const auto count = static_cast<std::size_t>(m_pages.count());
     m_residency.reset(count, std::min(shares.slotCount, count));
     m_tiles.reset(moment.tileCount());
-    forgetErrors(gl);
+}
+
+void PartialHeights::makeCoarse(Gl& gl) {
     bindTexture(gl, GL_TEXTURE_2D, m_coarse, GL_LINEAR);
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m_points.count.x, m_points.count.y, 0, GL_RED, GL_FLOAT,
                     nullptr);
+}
+
+void PartialHeights::makeLayers(Gl& gl) {
     bindTexture(gl, GL_TEXTURE_2D, m_layers, GL_NEAREST);
-    const std::vector<std::int16_t> none(count, kNoLayer);
+    const std::vector<std::int16_t> none(static_cast<std::size_t>(m_pages.count()), kNoLayer);
     gl.glPixelStorei(GL_UNPACK_ALIGNMENT, sizeof(std::int16_t));
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R16I, m_pages.columns, m_pages.rows, 0, GL_RED_INTEGER, GL_SHORT,
                     none.data());
     gl.glPixelStorei(GL_UNPACK_ALIGNMENT, kUsualAlignment); // QPainter uploads its letters with it
+}
+
+void PartialHeights::makePages(Gl& gl) {
+    forgetErrors(gl);
     bindTexture(gl, GL_TEXTURE_2D_ARRAY, m_held, GL_LINEAR);
-    if (capacity() > 0)
-        gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y,
-                        static_cast<GLsizei>(capacity()), 0, GL_RED, GL_FLOAT, nullptr);
-    m_vertices.reset(gl, shares.vertices);
+    gl.glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, m_pages.texels().x, m_pages.texels().y,
+                    static_cast<GLsizei>(capacity()), 0, GL_RED, GL_FLOAT, nullptr);
+    if (gl.glGetError() == GL_NO_ERROR)
+        return;
+    gl.glDeleteTextures(1, &m_held);
+    m_held = 0;
+    m_residency.reset(static_cast<std::size_t>(m_pages.count()), 0);
+}
+
+bool PartialHeights::make(Gl& gl, const UploadBudget& budget) {
+    if (m_made)
+        return true;
+    forgetErrors(gl);
+    const bool first = m_coarse == 0;
+    if (first)
+        makeCoarse(gl);
+    if (!first || !budget.spent()) {
+        makeLayers(gl);
+        m_vertices.reset(gl, m_vertexBytes);
+        m_made = true;
+    }
     return gl.glGetError() == GL_NO_ERROR;
 }
 
@@ -97,13 +125,15 @@ std::size_t PartialHeights::uploadToPages(Gl& gl, const ZMapSnapshot& moment, st
 HeightTexture::Uploaded PartialHeights::update(Gl& gl, const ZMapSnapshot& moment,
                                                const GraphicsShares& shares, const UploadBudget& budget) {
     HeightTexture::Uploaded uploaded;
-    if ((m_coarse == 0 || !(moment.grid() == m_grid) || moment.floor() != m_floor) &&
-        !restart(gl, moment, shares)) {
+    if (m_coarse == 0 || !(moment.grid() == m_grid) || moment.floor() != m_floor)
+        restart(gl, moment, shares);
+    if (!make(gl, budget)) {
         m_refused = m_grid;
         release(gl);
         uploaded.fits = false;
         return uploaded;
     }
+    uploaded.whole = m_made;
     m_vertices.tilesChanged(countChanged(moment), moment.tileCount());
     gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_held);
     for (std::size_t tile = 0; tile < moment.tileCount() && uploaded.whole; ++tile) {
@@ -182,8 +212,10 @@ std::vector<PageHeights> PartialHeights::heightsSeen(bool fromBelow) const {
 
 bool PartialHeights::hold(Gl& gl, const ZMapSnapshot& moment, std::span<const int> pages,
                           const UploadBudget& budget) {
+    if (m_held == 0 && capacity() > 0 && !pages.empty() && !budget.spent())
+        makePages(gl);
     m_residency.need(pages);
-    while (!budget.spent())
+    while (m_held != 0 && !budget.spent())
         if (const auto next = m_residency.nextLoad())
             load(gl, moment, *next);
         else
@@ -217,6 +249,7 @@ void PartialHeights::release(Gl& gl) {
     const std::array textures{m_coarse, m_held, m_layers};
     gl.glDeleteTextures(static_cast<GLsizei>(textures.size()), textures.data()); // ignores zeros
     m_coarse = m_held = m_layers = 0;
+    m_made = false;
     m_vertices.release(gl);
     m_residency.reset(0, 0);
     m_tiles.reset(0);
@@ -227,7 +260,7 @@ std::size_t PartialHeights::bytes() const {
         return 0;
     const auto page = sizeof(float) * static_cast<std::size_t>(m_pages.texels().x) *
                       static_cast<std::size_t>(m_pages.texels().y);
-    return m_points.bytes() + capacity() * page +
+    return m_points.bytes() + (m_held == 0 ? 0 : capacity() * page) +
            static_cast<std::size_t>(m_pages.count()) * sizeof(std::int16_t) + m_vertices.bytes();
 }
 

@@ -33,7 +33,7 @@ public:
     void forgetRefusal() { m_refused.reset(); }
     /// Uploads the coarser points of `moment` and what has changed in the pages held, or a part of that if
     /// the budget is too small; the next call continues. `shares` counts only when grid or floor are new, or
-    /// after release().
+    /// after release(). Textures are created one after the other, each in one piece.
     HeightTexture::Uploaded update(Gl& gl, const ZMapSnapshot& moment, const GraphicsShares& shares,
                                    const UploadBudget& budget);
     /// The heights of the vertices of these meshes are exact from now on. False if they are too many; then
@@ -61,8 +61,14 @@ public:
     [[nodiscard]] std::size_t bytes() const; ///< held now
 
 private:
-    /// False if the driver has no memory for it.
-    bool restart(Gl& gl, const ZMapSnapshot& moment, const GraphicsShares& shares);
+    void restart(Gl& gl, const ZMapSnapshot& moment, const GraphicsShares& shares);
+    /// Creates the textures that each picture needs, or some of them if the budget is too small. False if the
+    /// driver has no memory for them.
+    [[nodiscard]] bool make(Gl& gl, const UploadBudget& budget);
+    void makeCoarse(Gl& gl);
+    void makeLayers(Gl& gl);
+    /// Without memory for them, no page is held.
+    void makePages(Gl& gl);
     [[nodiscard]] std::size_t countChanged(const ZMapSnapshot& moment) const;
     /// Both return the number of bytes uploaded.
     std::size_t uploadCoarse(Gl& gl, const ZMapSnapshot& moment, std::size_t tile);
@@ -77,13 +83,15 @@ private:
     Grid m_grid;
     std::optional<Grid> m_refused; ///< the driver had no memory for it
     float m_floor = 0;
+    bool m_made = false; ///< all textures that each picture needs
+    std::size_t m_vertexBytes = 0;
     CoarsePoints m_points;
     HeightPages m_pages;
     PageResidency m_residency;
     TileRecord m_tiles;
     VertexHeights m_vertices;
     GLuint m_coarse = 0;
-    GLuint m_held = 0;   ///< the pages, a GL_TEXTURE_2D_ARRAY
+    GLuint m_held = 0;   ///< the pages, a GL_TEXTURE_2D_ARRAY; created when the first one is needed
     GLuint m_layers = 0; ///< of each page
 };
 

@@ -75,6 +75,12 @@ void SceneRenderer::setMostTriangles(std::size_t triangles) {
     m_boxSurface.setMostTriangles(triangles);
 }
 
+void SceneRenderer::setMostTextureBytes(std::size_t bytes) {
+    m_stale = true;
+    m_surface.setMostTextureBytes(bytes);
+    m_boxSurface.setMostTextureBytes(bytes);
+}
+
 void SceneRenderer::setMemory(std::size_t bytes) {
     m_memory = bytes;
     shareMemory(m_shared);

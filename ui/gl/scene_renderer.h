@@ -28,6 +28,8 @@ public:
     void setMemory(std::size_t bytes);
     /// Those that are held.
     [[nodiscard]] std::size_t memoryHeld() const { return m_surface.bytes() + m_boxSurface.bytes(); }
+    /// The bytes of one texture of heights (SurfaceRenderer); without a call, any number.
+    void setMostTextureBytes(std::size_t bytes);
     /// The triangles of the stock that are drawn at most (SurfaceRenderer); without a call, any number.
     void setMostTriangles(std::size_t triangles);
     /// Uploads what differs from the previous frame. If the driver cannot hold the heights of

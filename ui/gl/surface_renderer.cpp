@@ -28,13 +28,19 @@ void SurfaceRenderer::setLimit(std::size_t bytes) {
     m_limit = bytes;
 }
 
+void SurfaceRenderer::setMostTextureBytes(std::size_t bytes) {
+    m_chosen = m_chosen && bytes == m_mostTextureBytes;
+    m_mostTextureBytes = bytes;
+}
+
 std::size_t SurfaceRenderer::bytes() const {
     return m_heights.bytes() + m_parts.bytes() + m_surface.bytes() + m_wallBuffer.bytes();
 }
 
 bool SurfaceRenderer::fits(Gl& gl, const Grid& grid) const {
     const bool inParts = m_chosen && grid == m_grid && m_partPrograms; // perhaps because of the triangles
-    return inParts || m_heights.bytesOf(gl, grid) > m_limit ? m_parts.fits(grid) : m_heights.fits(gl, grid);
+    return inParts || m_heights.bytesOf(gl, grid) > mostHeightBytes() ? m_parts.fits(grid)
+                                                                      : m_heights.fits(gl, grid);
 }
 
 void SurfaceRenderer::choose(Gl& gl, const Grid& grid) {
@@ -42,7 +48,7 @@ void SurfaceRenderer::choose(Gl& gl, const Grid& grid) {
         return;
     m_chosen = true;
     const std::size_t ofHeights = m_heights.bytesOf(gl, grid);
-    const bool whole = ofHeights <= m_limit;
+    const bool whole = ofHeights <= mostHeightBytes();
     const std::size_t ofWalls =
         whole ? std::min((m_limit - ofHeights) / 4, GraphicsShares::mostWallBytes(grid)) : 0;
     const std::size_t ofLists = whole ? m_limit - ofHeights - ofWalls : 0;
@@ -64,6 +70,7 @@ void SurfaceRenderer::holdParts(Gl& gl, const Grid& grid) {
     gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limits.side);
     gl.glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &limits.layers);
     limits.side = std::min(limits.side, m_mostTexturePoints);
+    limits.bytes = m_mostTextureBytes;
     m_shares = GraphicsShares::of(grid, m_limit, limits);
     m_surface.setLimit(m_shares.lists);
     m_wallBuffer.setLimit(m_shares.walls);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -34,10 +35,10 @@ struct Coarseness {
 };
 
 /// Draws the stock: top surface, walls, underside. Its heights and triangles take no more bytes on the GPU
-/// than allowed: where all heights do not fit, the stock is drawn from coarser points, with exact vertices of
-/// the decimated meshes, and from all points in the view if these fit (PartialHeights). If the meshes do not
-/// fit either, or there are more triangles than allowed, the surface consists of the coarser points. All
-/// methods need the same context to be current.
+/// than allowed: where all heights do not fit, or not in one texture, the stock is drawn from coarser points,
+/// with exact vertices of the decimated meshes, and from all points in the view if these fit
+/// (PartialHeights). If the meshes do not fit either, or there are more triangles than allowed, the surface
+/// consists of the coarser points. All methods need the same context to be current.
 class SurfaceRenderer {
 public:
     /// `mostTexturePoints`: HeightTexture.
@@ -46,6 +47,9 @@ public:
     [[nodiscard]] bool valid() const { return m_programs.valid(); }
     /// The bytes that are allowed from the next upload on; without a call, any number.
     void setLimit(std::size_t bytes);
+    /// The bytes of one texture of heights, which is created in one piece; without a call, any number. Where
+    /// all heights take more, they are not all held.
+    void setMostTextureBytes(std::size_t bytes);
     /// The triangles that are drawn at most, as long as a region has at least two; without a call, any
     /// number.
     void setMostTriangles(std::size_t triangles) { m_mostTriangles = triangles; }
@@ -70,6 +74,7 @@ public:
 private:
     /// Whether all heights are to be held, decided for each grid and limit.
     void choose(Gl& gl, const Grid& grid);
+    [[nodiscard]] std::size_t mostHeightBytes() const { return std::min(m_limit, m_mostTextureBytes); }
     void holdParts(Gl& gl, const Grid& grid);
     [[nodiscard]] UploadCounts uploadWhole(Gl& gl, const Frame& frame, const UploadBudget& budget);
     [[nodiscard]] UploadCounts uploadParts(Gl& gl, const Frame& frame, const UploadBudget& budget);
@@ -92,6 +97,7 @@ private:
     SurfacePrograms m_programs;
     std::optional<SurfacePrograms> m_partPrograms; ///< empty while all heights are held
     std::size_t m_limit = std::numeric_limits<std::size_t>::max();
+    std::size_t m_mostTextureBytes = std::numeric_limits<std::size_t>::max();
     std::size_t m_mostTriangles = std::numeric_limits<std::size_t>::max();
     bool m_chosen = false;
     PartialHeights m_parts;

@@ -16,11 +16,13 @@ namespace proveout {
 namespace {
 
 constexpr int kRestMilliseconds = 250;
-/// The longest time for which one upload of a large frame, of a detail region, or of points in the view, may
-/// block the UI thread.
+/// The longest time for which the uploads of a large frame, of a detail region, and of points in the view may
+/// block the UI thread at once.
 constexpr std::chrono::milliseconds kUploadAtOnce{25};
 /// A frame with so many points is large.
 constexpr std::int64_t kLargeFrame = 8'000'000;
+/// In software, a texture is cleared when it is created: 50 ms.
+constexpr std::size_t kMostTextureBytesInSoftware = 64'000'000;
 /// More triangles are not drawn within a quarter of a second in software, or in a frame otherwise.
 constexpr std::size_t kMostTrianglesInSoftware = std::size_t{1} << 22;
 constexpr std::size_t kMostTriangles = std::size_t{1} << 25;
@@ -36,10 +38,6 @@ double seconds(const QElapsedTimer& timer) {
 bool isLarge(const FramePtr& frame) {
     return frame != nullptr &&
            static_cast<std::int64_t>(frame->zmap.grid().nx) * frame->zmap.grid().ny >= kLargeFrame;
-}
-
-UploadBudget budgetFor(const FramePtr& frame) {
-    return isLarge(frame) ? UploadBudget(kUploadAtOnce) : UploadBudget();
 }
 
 } // namespace
@@ -69,6 +67,8 @@ void ScenePicture::initialize() {
     if (m_renderer == nullptr)
         return;
     m_renderer->setMemory(m_memory);
+    if (m_software)
+        m_renderer->setMostTextureBytes(kMostTextureBytesInSoftware);
     m_renderer->setMostTriangles(m_software ? kMostTrianglesInSoftware : kMostTriangles);
 }
 
@@ -127,19 +127,21 @@ std::optional<ScenePicture::Seconds> ScenePicture::paint(const View& view, const
 void ScenePicture::upload() {
     QElapsedTimer timer;
     timer.start();
-    m_uploaded = m_renderer->upload(m_frame, budgetFor(m_frame));
+    const UploadBudget slice(kUploadAtOnce);
+    const UploadBudget ofFrame = isLarge(m_frame) ? slice : UploadBudget();
+    m_uploaded = m_renderer->upload(m_frame, ofFrame);
     if (!m_renderer->framePending()) {
-        m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
+        m_boxFits = m_renderer->uploadBox(m_look.picture(), slice);
         if (!m_look.box())
-            m_renderer->releaseBox(budgetFor(m_frame));
+            m_renderer->releaseBox(ofFrame);
     }
     if (!m_renderer->framePending())
-        m_renderer->refine(m_view, UploadBudget(kUploadAtOnce));
+        m_renderer->refine(m_view, slice);
     // Waiting for the GPU costs nothing at 30 frames per second and makes the measured times reliable.
     m_renderer->finish();
     m_uploadSeconds += seconds(timer);
     if (showsHiddenPath())
-        m_renderer->advancePath(UploadBudget(kUploadAtOnce));
+        m_renderer->advancePath(slice);
     if (m_frame != nullptr && (m_renderer->framePending() || m_renderer->frame() != m_frame))
         emit partUploaded(m_frame->sequence);
 }

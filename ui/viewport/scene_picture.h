@@ -66,6 +66,8 @@ public:
     [[nodiscard]] bool hasTooManyTriangles() const {
         return m_renderer != nullptr && m_renderer->coarseness().tooManyTriangles;
     }
+    /// Whether rendering is done in software, which never holds all heights of a large grid.
+    [[nodiscard]] bool isSoftware() const { return m_software; }
     /// Whether the last image does not show this view and stock, because the frame is not uploaded yet.
     [[nodiscard]] bool isPreparing() const { return m_preparing; }
     /// The bytes of graphics memory that heights and triangles take.

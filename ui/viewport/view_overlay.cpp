@@ -35,6 +35,8 @@ QString remarkOn(const OverlayContent& content) {
                    "Viewport", "The picture is coarser than the grid, because the surface has %L1 "
                                "triangles. Decimation reduces them.")
             .arg(content.frame->surface.faces);
+    if (content.picture.isCoarser() && content.picture.isSoftware()) // more memory would hardly change it
+        return QCoreApplication::translate("Viewport", "The picture is coarser than the grid. Zoom in.");
     if (content.picture.isCoarser())
         return QCoreApplication::translate("Viewport",
                                            "The picture is coarser than the grid. Zoom in, or allow more "

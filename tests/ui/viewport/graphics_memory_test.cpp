@@ -44,6 +44,7 @@ private slots:
     void coarserPointsFitTheirBytes();
     void coarserTrianglesOfRegionsAreCountedOneByOne();
     void sharesNeverExceedTheWhole();
+    void noShareExceedsOneTexture();
     void pagesStayUntilTheirSlotIsNeeded();
     void thePageNotNeededForLongestGoes();
     void tableFindsWhatAMapFinds();
@@ -125,6 +126,18 @@ void GraphicsMemoryTest::sharesNeverExceedTheWhole() {
         QVERIFY(pages.texels().x <= 8192);
         QVERIFY(shares.vertices <= 8192 * PointTable::kRow * sizeof(PointTable::Entry)); // rows of a texture
         QCOMPARE(shares.coarse, CoarsePoints::of(grid, shares.coarseStep).bytes());
+    }
+}
+
+void GraphicsMemoryTest::noShareExceedsOneTexture() {
+    std::mt19937 random(m_seed);
+    for (int round = 0; round < 500; ++round) {
+        const Grid grid = gridOf(between(random, 1000, 30'000), between(random, 1000, 30'000));
+        const auto most = static_cast<std::size_t>(between(random, 10'000'000, 100'000'000));
+        const GraphicsShares shares = GraphicsShares::of(grid, 1'000'000'000, {8192, 2048, most});
+        QVERIFY(shares.coarse <= most && shares.vertices <= most);
+        QVERIFY(shares.slotCount > 0 && shares.slotCount * shares.pageBytes() <= most);
+        QVERIFY(shares.lists == 200'000'000); // buffers grow, and are not created in one piece
     }
 }
 

@@ -124,6 +124,8 @@ private slots:
     void farViewIsNearlyThePictureOfAllPoints();
     void nearViewIsThePictureOfAllPoints();
     void pagesArriveInSlices();
+    void noTextureOfHeightsIsLargerThanAllowed();
+    void texturesAreCreatedInSlices();
     void uploadsLeaveTheStateOfPainters();
     void theLimitHoldsAtAnyMoment();
     void meshesThatDoNotFitAreLeftOut();
@@ -222,6 +224,49 @@ void LimitedPictureTest::pagesArriveInSlices() {
     QVERIFY(renderer.coarseness().pending && renderer.coarseness().coarser);
     renderer.refine(view);
     QVERIFY(!renderer.coarseness().pending && !renderer.coarseness().coarser);
+}
+
+void LimitedPictureTest::noTextureOfHeightsIsLargerThanAllowed() {
+    FrameBuilder builder = cutPart();
+    OffscreenPicture picture;
+    picture.renderer().setMostTextureBytes(kLimit);
+    const View far = cameraAt(StandardView::iso, true, 240, 150).view(stockBox());
+    const Difference smoother =
+        differenceOf(picture.draw(builder.frame(), far, testOptions()), unlimited(builder.frame(), far));
+    QVERIFY(picture.renderer().coarseness().coarser);
+    QVERIFY2(smoother.mean < 3 && smoother.strong < 0.03,
+             qPrintable(QStringLiteral("mean %1, strong %2").arg(smoother.mean).arg(smoother.strong)));
+    Camera camera = cameraAt(StandardView::top, false);
+    camera.zoom(0.06, {33, 35, -5});
+    const View near = camera.view(stockBox());
+    const Difference same =
+        differenceOf(picture.draw(builder.frame(), near, testOptions()), unlimited(builder.frame(), near));
+    QVERIFY(!picture.renderer().coarseness().coarser);
+    QVERIFY2(same.largest <= 2, qPrintable(QString::number(same.largest))); // rounding
+    // As soon as a larger one is allowed, there are all heights.
+    picture.renderer().setMostTextureBytes(10 * kLimit);
+    QCOMPARE(picture.draw(builder.frame(), far, testOptions()), unlimited(builder.frame(), far));
+}
+
+void LimitedPictureTest::texturesAreCreatedInSlices() {
+    FrameBuilder builder = cutPart();
+    const FramePtr frame = builder.frame();
+    OffscreenPicture picture;
+    SceneRenderer& renderer = picture.renderer();
+    renderer.setMemory(kLimit);
+    const UploadBudget none(std::chrono::seconds(0));
+    QVERIFY(!renderer.upload(frame, none).whole);
+    const std::size_t first = renderer.memoryHeld();
+    QVERIFY2(first > 0 && first <= kLimit * 3 / 10, qPrintable(QString::number(first)));
+    while (!renderer.upload(frame, none).whole) {
+    }
+    // Pages take no memory until a view needs them.
+    QVERIFY(renderer.memoryHeld() < kLimit * 7 / 10);
+    Camera camera = cameraAt(StandardView::top, false);
+    camera.zoom(0.06, {33, 35, -5});
+    const std::size_t before = renderer.memoryHeld();
+    renderer.refine(camera.view(stockBox()));
+    QVERIFY(renderer.memoryHeld() > before && renderer.memoryHeld() <= kLimit);
 }
 
 void LimitedPictureTest::uploadsLeaveTheStateOfPainters() {
