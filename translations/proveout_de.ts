@@ -11503,6 +11503,10 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Programm wird gelesen</translation>
     </message>
     <message>
+        <source>Saving the file</source>
+        <translation>Datei wird gespeichert</translation>
+    </message>
+    <message>
         <source>Opening the file</source>
         <translation>Datei wird geöffnet</translation>
     </message>

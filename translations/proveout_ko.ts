@@ -11502,6 +11502,10 @@ Default: the next free number</source>
         <translation>프로그램 읽는 중</translation>
     </message>
     <message>
+        <source>Saving the file</source>
+        <translation>파일 저장 중</translation>
+    </message>
+    <message>
         <source>Opening the file</source>
         <translation>파일 여는 중</translation>
     </message>

@@ -74,6 +74,16 @@ Result<Document> loadDocument(const std::filesystem::path& file, const WorkConte
     return document;
 }
 
+Result<Document> loadClosedDocument(const std::filesystem::path& file, const WorkContext& context) {
+    Result<Document> document = loadDocument(file, context);
+    if (!document) {
+        // The place is in a text that is not open, and would be shown in the open one.
+        for (Diagnostic& error : document.error())
+            error.where = {};
+    }
+    return document;
+}
+
 Result<void> saveDocument(const Document& document, const std::filesystem::path& file) {
     AtomicFile out(file);
     if (document.byteOrderMark)

@@ -39,6 +39,10 @@ struct Document {
 [[nodiscard]] Result<Document> loadDocument(const std::filesystem::path& file,
                                             const WorkContext& context = {});
 
+/// The same for a text that will not be open when an error is shown: errors have no location.
+[[nodiscard]] Result<Document> loadClosedDocument(const std::filesystem::path& file,
+                                                  const WorkContext& context = {});
+
 /// Writes the text atomically, including the byte order mark.
 [[nodiscard]] Result<void> saveDocument(const Document& document, const std::filesystem::path& file);
 

@@ -50,7 +50,7 @@ void DocumentReader::restore(const KeptWork& kept, Done<JobDocument> done) {
 }
 
 void DocumentReader::readText(const std::filesystem::path& file, Done<Document> done) {
-    start<Document>([file](const WorkContext& context) { return JobDocument::readText(file, context); },
+    start<Document>([file](const WorkContext& context) { return loadClosedDocument(file, context); },
                     std::move(done));
 }
 

@@ -35,7 +35,7 @@ public:
     void open(const QString& file, Done<JobDocument> done);
     /// Like JobDocument::restore().
     void restore(const KeptWork& kept, Done<JobDocument> done);
-    /// Like JobDocument::readText().
+    /// Like loadClosedDocument().
     void readText(const std::filesystem::path& file, Done<Document> done);
     /// Discards the request in progress.
     void cancel();

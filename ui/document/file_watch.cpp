@@ -40,8 +40,14 @@ void FileWatch::watch(const QString& file, const FileState& known) {
     m_settle.start(); // changes before this point are compared once the watcher is set up completely
 }
 
+void FileWatch::setPaused(bool paused) {
+    m_paused = paused;
+    if (!paused)
+        m_settle.start();
+}
+
 void FileWatch::look() {
-    if (m_file.isEmpty())
+    if (m_file.isEmpty() || m_paused)
         return;
     if (!m_watcher.files().contains(m_file))
         m_watcher.addPath(m_file);

@@ -23,6 +23,8 @@ public:
     void watch(const QString& file, const FileState& known);
     /// Watches `file` from its current state on; call it after each save by this window.
     void watch(const QString& file);
+    /// While it is paused, nothing is reported; what has happened meanwhile is reported afterwards.
+    void setPaused(bool paused);
 
 signals:
     void changed();
@@ -32,6 +34,7 @@ private:
 
     QString m_file;
     FileState m_known;
+    bool m_paused = false;
     QFileSystemWatcher m_watcher;
     QTimer m_settle; ///< a save by renaming is complete when nothing has happened for a moment
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/job_document.h"
 
-#include <system_error>
 #include <utility>
 
 #include "core/base/atomic_file.h"
@@ -11,7 +10,6 @@
 #include "core/verification/findings/window_findings.h"
 #include "ui/document/carried_values.h"
 #include "ui/document/file_paths.h"
-#include "ui/document/new_file_beside.h"
 
 namespace proveout {
 
@@ -60,16 +58,6 @@ bool isSameSetup(const Setup& a, const Setup& b) {
 
 } // namespace
 
-Result<Document> JobDocument::readText(const std::filesystem::path& file, const WorkContext& context) {
-    Result<Document> text = loadDocument(file, context);
-    if (!text) {
-        // The place is in a text that is not open, and would be shown in the open one.
-        for (Diagnostic& error : text.error())
-            error.where = {};
-    }
-    return text;
-}
-
 Result<std::filesystem::path> JobDocument::readSetup(const std::filesystem::path& file,
                                                      const OutsideRule& allowed) {
     m_jobState = stateOf(file); // taken first, so that a change during reading is reported
@@ -99,7 +87,7 @@ Result<JobDocument> JobDocument::open(const QString& file, const WorkContext& co
         program = std::move(*named);
         document.m_jobFile = file;
     }
-    Result<Document> text = readText(program, context);
+    Result<Document> text = loadClosedDocument(program, context);
     if (!text)
         return tl::unexpected(std::move(text.error()));
     document.m_text = std::move(*text);
@@ -115,7 +103,7 @@ Result<JobDocument> JobDocument::restore(const KeptWork& kept, const WorkContext
         if (auto named = document.readSetup(kept.keptJob, anyOutside); !named)
             document.m_warnings = std::move(named.error());
     }
-    Result<Document> text = readText(kept.keptText.empty() ? kept.program : kept.keptText, context);
+    Result<Document> text = loadClosedDocument(kept.keptText.empty() ? kept.program : kept.keptText, context);
     if (!text)
         return tl::unexpected(std::move(text.error()));
     document.m_text = std::move(*text);
@@ -156,6 +144,7 @@ bool JobDocument::toolsModified() const {
 void JobDocument::jobSaved() {
     m_saved = m_values;
     m_jobOutdated = false;
+    ++m_jobSaves;
     ++m_revision;
 }
 
@@ -203,19 +192,6 @@ void JobDocument::acceptDisk(const DiskConflict& conflict) {
         conflict.other.isKnown() ? conflict.other : DiskCopy(conflict.state);
 }
 
-Result<void> JobDocument::saveBeside(FilePart part) {
-    const Result<std::filesystem::path> beside = newFileBeside(pathOf(part));
-    if (!beside)
-        return tl::unexpected(beside.error());
-    Result<void> written =
-        part == FilePart::text ? saveTextAs(toQString(*beside)) : saveJobAs(toQString(*beside));
-    if (!written) {
-        std::error_code ignored; // nothing is lost, because the file is empty and new
-        std::filesystem::remove(*beside, ignored);
-    }
-    return written;
-}
-
 Result<void> JobDocument::save() {
     if (m_text.modified) {
         if (Result<void> written = saveTextAs(toQString(m_text.path)); !written)
@@ -260,7 +236,25 @@ Result<void> JobDocument::saveJobAs(const QString& file) {
     return {};
 }
 
+void JobDocument::takeFiles(const JobDocument& saved) {
+    const bool edited = m_textRevision != saved.m_textRevision;
+    m_text.path = saved.m_text.path;
+    m_textOnDisk = saved.m_textOnDisk;
+    m_keptMine = saved.m_keptMine || edited;
+    m_text.modified = saved.m_text.modified || edited;
+    ++m_revision;
+    m_jobOutdated = m_jobOutdated || saved.m_jobOutdated;
+    if (saved.m_jobSaves <= m_jobSaves)
+        return;
+    m_jobSaves = saved.m_jobSaves;
+    m_jobFile = saved.m_jobFile;
+    m_jobOnDisk = saved.m_jobOnDisk;
+    m_jobOutdated = false;
+    m_saved = saved.m_saved;
+}
+
 void JobDocument::replaceText(Document text) {
+    ++m_textRevision;
     m_text = std::move(text);
     m_textOnDisk = copyOf(m_text);
     m_keptMine = false;
@@ -282,11 +276,13 @@ void JobDocument::replaceJob(const JobDocument& other) {
 
 void JobDocument::edit(std::size_t offset, std::size_t removed, std::string_view inserted) {
     ++m_revision;
+    ++m_textRevision;
     m_text.text = m_text.text.replaced(offset, removed, inserted);
 }
 
 void JobDocument::keepMine() {
     ++m_revision;
+    ++m_textRevision;
     m_keptMine = true;
     m_text.modified = true;
 }

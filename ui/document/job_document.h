@@ -69,9 +69,6 @@ public:
     /// Reads backed-up work instead of the files that it belongs to, which stay unchanged; the work counts as
     /// unsaved. Any thread. Errors: those of open(), about the backup files.
     [[nodiscard]] static Result<JobDocument> restore(const KeptWork& kept, const WorkContext& context = {});
-    /// Reads only a text. Any thread. Errors: those of loadDocument(), without a location.
-    [[nodiscard]] static Result<Document> readText(const std::filesystem::path& file,
-                                                   const WorkContext& context = {});
     /// Warnings about the job file that was read.
     [[nodiscard]] const Diagnostics& warnings() const { return m_warnings; }
 
@@ -115,9 +112,9 @@ public:
     [[nodiscard]] std::optional<DiskConflict> conflict(FilePart part) const;
     /// Allows the next save to overwrite the content that the conflict shows, but nothing newer.
     void acceptDisk(const DiskConflict& conflict);
-    /// Writes a part to a new file next to its current one, which stays unchanged; from then on the part
-    /// belongs to the new file. Errors: those of AtomicFile and writeJob().
-    [[nodiscard]] Result<void> saveBeside(FilePart part);
+    /// Takes over the files of a copy that was saved. What has changed here since the copy was made counts as
+    /// unsaved, even if the user undoes it.
+    void takeFiles(const JobDocument& saved);
     /// Setup and parameters stay, but no longer belong to a job file.
     void detachJob() { m_jobFile.clear(); }
     /// Call it when the text was read again.
@@ -171,6 +168,8 @@ private:
     DiskCopy m_jobOnDisk;
     FileState m_jobState;
     std::uint64_t m_revision = 0;
+    std::uint64_t m_jobSaves = 0;     ///< how often the job was read or saved
+    std::uint64_t m_textRevision = 0; ///< changes with each change of the text, not when it is saved
     Diagnostics m_warnings;
     bool m_jobOutdated = false; ///< the job file must be written even if setup and parameters are unchanged
     JobValues m_values{.setup = newSetup()};

@@ -35,7 +35,10 @@ const QString kProgramPatterns =
 
 FileFlow::FileFlow(Session& session, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {
-    connect(&session.problems(), &ProblemsHub::troubled, this, [this] { m_closeAfterExport = false; });
+    connect(&session.problems(), &ProblemsHub::troubled, this,
+            [this] { m_closeAfterExport = m_closeAfterSave = false; });
+    connect(&session.document().writer(), &DocumentWriter::ended, this, &FileFlow::closeAfterSave,
+            Qt::QueuedConnection);
     connect(&session.document(), &DocumentHub::opened, &m_recent, &RecentFiles::add);
     // Queued, because the sender has not finished yet.
     connect(&session.document(), &DocumentHub::outsideFilesNamed, this, &FileFlow::askAboutOutside,
@@ -142,6 +145,32 @@ void FileFlow::collectChanges() {
 }
 
 bool FileFlow::save() {
+    if (isSaving()) {
+        m_saveAgain = true;
+        return false;
+    }
+    m_saving = true;
+    bool all = false;
+    do {
+        m_saveAgain = false;
+        all = saveNow();
+    } while (all && m_saveAgain && m_session.document().modified());
+    m_saving = false;
+    closeAfterSave();
+    return all;
+}
+
+bool FileFlow::isSaving() const {
+    return m_saving || m_session.document().writer().isRunning();
+}
+
+/// Queued, because the function that saves has not returned yet.
+void FileFlow::closeAfterSave() {
+    if (!isSaving() && std::exchange(m_closeAfterSave, false))
+        QMetaObject::invokeMethod(this, &FileFlow::closeWanted, Qt::QueuedConnection);
+}
+
+bool FileFlow::saveNow() {
     collectChanges();
     const Document& document = m_session.document().text();
     if (document.path.empty() || (document.modified && isSample(toQString(document.path))))
@@ -154,6 +183,7 @@ bool FileFlow::save() {
 }
 
 bool FileFlow::saveAs() {
+    m_session.document().writer().wait();
     QString proposal = toQString(m_session.document().text().path);
     if (proposal.isEmpty())
         proposal = QDir(startFolder()).filePath(QStringLiteral("program.nc"));
@@ -182,6 +212,7 @@ bool FileFlow::saveTextAs(const QString& file) {
 }
 
 bool FileFlow::saveJobAs() {
+    m_session.document().writer().wait();
     if (m_session.document().text().path.empty() && !saveAs())
         return false; // a job must name its program
     QString proposal = m_session.document().jobFile();
@@ -251,6 +282,7 @@ QString FileFlow::unsaved() const {
 }
 
 bool FileFlow::mayDiscard() {
+    m_session.document().writer().wait();
     collectChanges();
     if (!m_session.document().modified())
         return true;
@@ -261,7 +293,8 @@ bool FileFlow::mayDiscard() {
     question.setDefaultButton(QMessageBox::Save);
     const int answer = question.exec();
     if (answer == QMessageBox::Save)
-        return save() && (!m_session.document().modified() || saveJobAs());
+        return save() && !m_session.document().text().modified && // it may have been edited during the save
+               (!m_session.document().modified() || saveJobAs());
     return answer == QMessageBox::Discard;
 }
 
@@ -283,6 +316,9 @@ FileFlow::ExportAnswer FileFlow::askAboutExport() {
 }
 
 bool FileFlow::mayClose() {
+    m_closeAfterSave = isSaving();
+    if (m_closeAfterSave)
+        return false;
     m_closeAfterExport = false; // otherwise the end of the export would close the window while a question is
                                 // open
     const ExportAnswer answer = m_session.exports().isRunning() ? askAboutExport() : ExportAnswer::written;

@@ -32,6 +32,7 @@ public:
     bool open(const QString& file);
     void openByDialog();
     void newFile();
+    /// While a save of a long text is in progress, it is repeated afterwards with what has changed meanwhile.
     bool save();
     bool saveAs();
     bool saveJobAs();
@@ -41,8 +42,8 @@ public:
     /// Lists unsaved changes and offers to save them. False: the user wants to keep working on them.
     bool mayDiscard();
     /// Whether the window may close: asks about an export in progress, then like mayDiscard(). If the user
-    /// waits for the export, the window must stay open until closeWanted() is emitted after the file is
-    /// written.
+    /// waits for the export, or a save is in progress, the window must stay open until closeWanted() is
+    /// emitted after the file is written.
     bool mayClose();
 
     /// The file that a drop would open; empty, with `reason` set, if the drop cannot be used.
@@ -63,6 +64,9 @@ private:
     /// Asks about each file that is newer on disk than in the window. False: the user cancelled.
     bool settle(const std::function<std::optional<DiskConflict>()>& next);
     void collectChanges();
+    bool saveNow();
+    [[nodiscard]] bool isSaving() const;
+    void closeAfterSave();
     bool saveFiles();
     bool saveTextAs(const QString& file);
     void reportSaved(bool text, bool job);
@@ -74,6 +78,9 @@ private:
     QWidget& m_window;
     RecentFiles m_recent;
     bool m_closeAfterExport = false;
+    bool m_saving = false;
+    bool m_closeAfterSave = false;
+    bool m_saveAgain = false; ///< wanted while a save was in progress
 };
 
 } // namespace proveout

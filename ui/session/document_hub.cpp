@@ -19,6 +19,10 @@ DocumentHub::DocumentHub(ProblemsHub& problems, WorkHub& work) : m_problems(prob
     work.setCancel(WorkKind::opening, [this] { m_reader.cancel(); });
     connect(&m_reader, &DocumentReader::progressChanged, this,
             [this, &work] { work.set(WorkKind::opening, m_reader.progress()); });
+    connect(&m_writer, &DocumentWriter::progressed, this,
+            [&work](std::optional<double> done) { work.set(WorkKind::saving, done); });
+    m_writer.pause(m_watch);
+    m_writer.pause(m_jobWatch);
     connect(&m_watch, &FileWatch::changed, this, &DocumentHub::watchedFileChanged);
     connect(&m_jobWatch, &FileWatch::changed, this, &DocumentHub::watchedJobChanged);
 }
@@ -61,9 +65,9 @@ void DocumentHub::restore(const KeptWork& kept, std::function<void()> done) {
             return m_problems.report(job.error());
         adopt(std::move(*job));
         m_problems.report(m_job.warnings());
-        if (conflict(FilePart::text))
+        if (m_job.conflict(FilePart::text))
             emit fileChangedOnDisk();
-        if (conflict(FilePart::job))
+        if (m_job.conflict(FilePart::job))
             emit jobChangedOnDisk(true);
         done();
     });
@@ -71,6 +75,7 @@ void DocumentHub::restore(const KeptWork& kept, std::function<void()> done) {
 
 void DocumentHub::adopt(JobDocument job) {
     m_job = std::move(job);
+    m_writer.otherOpened();
     m_isOpen = true;
     emit adopted();
 }
@@ -98,35 +103,26 @@ void DocumentHub::setTextModified(bool modified) {
 // Saving
 
 bool DocumentHub::save() {
-    if (text().path.empty())
-        return false;
-    const bool textBefore = text().modified;
-    const bool jobBefore = jobModified();
-    const Result<void> written = m_job.save();
-    return saved(written, textBefore && !text().modified, jobBefore && !jobModified());
+    return !text().path.empty() && write([](JobDocument& job) { return job.save(); });
 }
 
 bool DocumentHub::saveAs(const QString& file) {
-    const Result<void> written = m_job.saveTextAs(file);
-    return saved(written, written.has_value(), false);
+    return write([file](JobDocument& job) { return job.saveTextAs(file); }, FilePart::text);
 }
 
 bool DocumentHub::saveJobAs(const QString& file) {
-    const Result<void> written = m_job.saveJobAs(file);
-    return saved(written, false, written.has_value());
+    return write([file](JobDocument& job) { return job.saveJobAs(file); }, FilePart::job);
 }
 
-std::optional<DiskConflict> DocumentHub::conflict() const {
+bool DocumentHub::saveBeside(FilePart part) {
+    return write([part](JobDocument& job) { return DocumentWriter::saveBeside(job, part); }, part);
+}
+
+std::optional<DiskConflict> DocumentHub::conflict() {
     std::optional<DiskConflict> found;
     if (text().modified)
         found = conflict(FilePart::text);
     return !found && jobModified() ? conflict(FilePart::job) : found;
-}
-
-bool DocumentHub::saveBeside(FilePart part) {
-    const Result<void> written = m_job.saveBeside(part);
-    return saved(written, written.has_value() && part == FilePart::text,
-                 written.has_value() && part == FilePart::job);
 }
 
 void DocumentHub::detachJob() {
@@ -134,18 +130,26 @@ void DocumentHub::detachJob() {
     emit changed();
 }
 
-bool DocumentHub::saved(const Result<void>& written, bool textToo, bool jobToo) {
-    if (textToo) {
+bool DocumentHub::write(const DocumentWriter::Save& save, std::optional<FilePart> part) {
+    bool all = false;
+    m_writer.save(m_job, save, part, [&](const auto& written) { all = saved(written); });
+    return all;
+}
+
+bool DocumentHub::saved(const DocumentWriter::Written& written) {
+    if (!written.open)
+        return reported(written.result);
+    if (written.text) {
         m_watch.watch(toQString(text().path)); // watches from the state that was just written
         emit fileWritten();
     }
-    if (jobToo) {
+    if (written.job) {
         m_jobWatch.watch(jobFile());
         allowOutside(jobFile(), outsideFiles(toPath(jobFile()), m_job.job())); // saving it implies trust
         emit jobChangedOnDisk(false);
     }
     emit changed();
-    return reported(written);
+    return reported(written.result);
 }
 
 bool DocumentHub::reported(const Result<void>& result) {
@@ -179,7 +183,7 @@ void DocumentHub::textRead(const Result<Document>& read) {
 
 void DocumentHub::keepMine() {
     stopOpening();
-    if (const auto present = conflict(FilePart::text))
+    if (const auto present = m_job.conflict(FilePart::text))
         m_job.acceptDisk(*present);
     m_job.keepMine();
     emit changed();
@@ -223,7 +227,7 @@ void DocumentHub::jobRead(const QString& file, Result<JobDocument> read) {
 }
 
 void DocumentHub::keepMyJob() {
-    if (const auto present = conflict(FilePart::job))
+    if (const auto present = m_job.conflict(FilePart::job))
         m_job.acceptDisk(*present);
     m_job.keepMyJob();
     emit jobChangedOnDisk(false);

@@ -14,6 +14,7 @@
 #include "core/base/diagnostic.h"
 #include "core/decimation/regions/parameters.h"
 #include "ui/document/document_reader.h"
+#include "ui/document/document_writer.h"
 #include "ui/document/file_watch.h"
 #include "ui/document/job_document.h"
 
@@ -59,19 +60,22 @@ public:
     /// change.
     void stopOpening();
 
-    /// Writes text and job to their files. False on an error, if there is no path yet, or if another program
-    /// has changed a file: see conflict().
+    /// Writes text and job to their files (DocumentWriter). False on an error, if there is no path yet, if
+    /// another program has changed a file: see conflict(), or if a save is in progress.
     bool save();
     bool saveAs(const QString& file);
     bool saveJobAs(const QString& file);
     /// The file that save() would overwrite although it is newer than what the window has read; compares the
     /// contents now. Empty if there is no such file.
-    [[nodiscard]] std::optional<DiskConflict> conflict() const;
-    [[nodiscard]] std::optional<DiskConflict> conflict(FilePart part) const { return m_job.conflict(part); }
+    [[nodiscard]] std::optional<DiskConflict> conflict();
+    [[nodiscard]] std::optional<DiskConflict> conflict(FilePart part) {
+        return m_writer.conflict(m_job, part);
+    }
     /// Allows the next save to overwrite the file.
     void acceptDisk(const DiskConflict& conflict) { m_job.acceptDisk(conflict); }
     /// Saves a part under a new name next to its file, which stays unchanged. False on an error.
     bool saveBeside(FilePart part);
+    [[nodiscard]] DocumentWriter& writer() { return m_writer; }
     /// Setup and parameters stay, but no longer belong to a job file.
     void detachJob();
     /// Reads the text from disk again, in the background like openFile().
@@ -115,7 +119,8 @@ signals:
 private:
     void adopt(JobDocument job);
     void refuseOpening(const QString& file, const Diagnostics& errors);
-    bool saved(const Result<void>& written, bool textToo, bool jobToo);
+    bool write(const DocumentWriter::Save& save, std::optional<FilePart> part = {});
+    bool saved(const DocumentWriter::Written& written);
     bool reported(const Result<void>& result);
     void textRead(const Result<Document>& read);
     void jobRead(const QString& file, Result<JobDocument> read);
@@ -128,6 +133,7 @@ private:
     FileWatch m_watch;
     FileWatch m_jobWatch;
     DocumentReader m_reader;
+    DocumentWriter m_writer;
 };
 
 } // namespace proveout

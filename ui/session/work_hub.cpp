@@ -11,6 +11,7 @@ namespace {
 /// Same order as WorkKind.
 constexpr std::array<const char*, kWorkKinds> kLabels{
     QT_TRANSLATE_NOOP("WorkHub", "Exporting"),
+    QT_TRANSLATE_NOOP("WorkHub", "Saving the file"),
     QT_TRANSLATE_NOOP("WorkHub", "Opening the file"),
     QT_TRANSLATE_NOOP("WorkHub", "Reading the program"),
     QT_TRANSLATE_NOOP("WorkHub", "Searching for the block"),
@@ -48,7 +49,8 @@ void WorkHub::set(WorkKind kind, std::optional<double> done) {
     std::optional<Work> current;
     if (const std::size_t index = shown(); index < kWorkKinds) {
         const State& of = m_work.at(index);
-        current = Work{tr(kLabels.at(index)), of.done.value_or(0), of.forecast.secondsLeft()};
+        current =
+            Work{tr(kLabels.at(index)), of.done.value_or(0), of.forecast.secondsLeft(), of.cancel != nullptr};
     }
     if (current == m_current)
         return;

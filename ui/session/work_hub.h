@@ -15,15 +15,16 @@
 
 namespace proveout {
 
-/// Long operations that can be cancelled. If several are running, the first in this list is shown.
-enum class WorkKind : std::uint8_t { exporting, opening, reading, searching, simulating };
-inline constexpr std::size_t kWorkKinds = 5;
+/// Long operations. If several are running, the first in this list is shown.
+enum class WorkKind : std::uint8_t { exporting, saving, opening, reading, searching, simulating };
+inline constexpr std::size_t kWorkKinds = 6;
 
 /// A long operation in progress. Value type.
 struct Work {
     QString label;
     double done = 0;                ///< in [0, 1]
     std::optional<int> secondsLeft; ///< as WorkForecast
+    bool cancellable = true;
 
     friend bool operator==(const Work&, const Work&) = default;
 };

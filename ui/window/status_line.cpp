@@ -276,7 +276,7 @@ QString StatusLine::toolText(const Frame& frame) const {
 void StatusLine::showWork() {
     const std::optional<Work>& work = m_session.work().current();
     m_progress->setVisible(work.has_value());
-    m_cancel->setVisible(work.has_value());
+    m_cancel->setVisible(work.has_value() && work->cancellable);
     if (!work)
         return;
     // The label is inside the bar: next to it, it would force a narrow window to grow while the work runs.

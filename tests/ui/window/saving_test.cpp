@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Saving next to other programs: their changes are never overwritten without a question.
+#include <functional>
 #include <memory>
 
 #include <QApplication>
@@ -84,6 +85,21 @@ void type(Workstation& station, const QString& text) {
     QTest::keyClicks(&editor, text);
     if (!QTest::qWaitFor([&] { return station.session.document().text().modified; }, kPatience))
         qFatal("nothing was typed");
+}
+
+/// So long that it is written by another thread.
+QByteArray longProgram() {
+    return kProgram + QByteArray("X1 Y1 Z1\n").repeated(300'000) + "M30\n";
+}
+
+/// Calls it while the `nth` comparison or save of a long text is in progress.
+void during(Workstation& station, int nth, const std::function<void()>& act) {
+    DocumentWriter& writer = station.session.document().writer();
+    auto left = std::make_shared<int>(nth);
+    QObject::connect(&writer, &DocumentWriter::started, &station.window, [=, &station] {
+        if (--*left == 0)
+            QTimer::singleShot(0, &station.window, act);
+    });
 }
 
 void pressSave(Workstation& station) {
@@ -415,6 +431,100 @@ private slots:
         QVERIFY(shown(first.window.editor()).isEmpty());
         QVERIFY(first.session.document().save());
         QTRY_VERIFY_WITH_TIMEOUT(shown(editor).isEmpty() && shown(panel).isEmpty(), kPatience);
+    }
+
+    // A long text is written by another thread.
+
+    void anEditDuringASaveIsKeptAsUnsaved() {
+        write(m_program, longProgram());
+        Workstation station(false);
+        station.open(m_program);
+        NcEditor& editor = station.window.editor().editor();
+        type(station, QStringLiteral("(a)"));
+        bool isWriting = false;
+        during(station, 2, [&] {
+            isWriting = station.session.document().writer().isRunning();
+            QTest::keyClicks(&editor, QStringLiteral("(b)"));
+        });
+        QVERIFY(station.window.files().save());
+        QVERIFY(isWriting);
+        QCOMPARE(read(m_program), "(a)" + longProgram());
+        QVERIFY(station.session.document().text().modified);
+        // Without the edit, the text is that of the file; it still counts as unsaved.
+        for (int k = 0; k < 3; ++k)
+            QTest::keyClick(&editor, Qt::Key_Backspace);
+        QVERIFY(station.session.document().text().modified);
+        QTest::keyClicks(&editor, QStringLiteral("(c)"));
+        QVERIFY(station.window.files().save());
+        QCOMPARE(read(m_program), "(a)(c)" + longProgram());
+        QVERIFY(!station.session.document().text().modified);
+        QTest::qWait(500); // the watch of the file settles
+        QVERIFY(!bar(station, FilePart::text)->isVisible());
+    }
+
+    void aSecondSaveDuringASaveWritesTheNewestText() {
+        write(m_program, longProgram());
+        Workstation station(false);
+        station.open(m_program);
+        NcEditor& editor = station.window.editor().editor();
+        type(station, QStringLiteral("(a)"));
+        during(station, 2, [&] {
+            QTest::keyClicks(&editor, QStringLiteral("(b)"));
+            QVERIFY(!station.window.files().save());
+            QVERIFY(!station.session.document().save());
+        });
+        QVERIFY(station.window.files().save());
+        QCOMPARE(read(m_program), "(a)(b)" + longProgram());
+        QVERIFY(!station.session.document().text().modified);
+    }
+
+    void aWindowClosesAfterTheSave() {
+        write(m_program, longProgram());
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(a)"));
+        bool closed = true;
+        during(station, 2, [&] { closed = station.window.close(); });
+        QVERIFY(station.window.files().save());
+        QVERIFY(!closed);
+        QTRY_VERIFY_WITH_TIMEOUT(!station.window.isVisible(), kPatience);
+        QCOMPARE(read(m_program), "(a)" + longProgram());
+    }
+
+    void aSaveThatFailsKeepsTheWindowOpen() {
+        write(m_program, longProgram());
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(a)"));
+        write(m_program, "(theirs)" + longProgram());
+        bool closed = true;
+        during(station, 1, [&] { closed = station.window.close(); });
+        QVERIFY(!station.session.document().save());
+        QVERIFY(!closed);
+        QVERIFY(station.session.document().text().modified);
+        QVERIFY(!station.session.problems().all().empty());
+        QTest::qWait(100);
+        QVERIFY(station.window.isVisible());
+        QCOMPARE(read(m_program), "(theirs)" + longProgram());
+        QTRY_VERIFY_WITH_TIMEOUT(bar(station, FilePart::text)->isVisible(), kPatience);
+        station.session.document().setTextModified(false);
+    }
+
+    void anotherFileIsOpenedAfterTheSave() {
+        const QString other = m_folder->filePath(QStringLiteral("other.nc"));
+        write(other, kTheirs);
+        write(m_program, longProgram());
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(a)"));
+        bool opening = false;
+        during(station, 2, [&] { opening = station.window.files().open(other); });
+        QVERIFY(station.window.files().save());
+        QVERIFY(opening);
+        QCOMPARE(read(m_program), "(a)" + longProgram());
+        QTRY_COMPARE_WITH_TIMEOUT(QString::fromStdString(station.session.document().text().path.string()),
+                                  other, kPatience);
+        QVERIFY(!station.session.document().text().modified);
     }
 
     void aNewProgramCanBeTypedAtOnce() {
