@@ -2,6 +2,8 @@
 #include "ui/window/panel_table.h"
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include <QAction>
 #include <QCoreApplication>
@@ -67,7 +69,8 @@ QString markJob(const QString& title, const Session& session) {
 }
 
 QString countProblems(const QString& title, const Session& session) {
-    const std::size_t count = problemList(session).size();
+    const std::vector<CheckFinding> problems = problemList(session);
+    const std::size_t count = problems.size() + outdatedProblems(session, problems).size();
     return count == 0 ? title : QStringLiteral("%1 (%2)").arg(title).arg(count);
 }
 
