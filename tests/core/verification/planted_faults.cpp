@@ -236,31 +236,29 @@ void plantShank(Planting& p) {
     p.alsoFound = {"depth-beyond-flutes"};
 }
 
-/// The face of the holder comes near to the top of the stock.
-void plantHolderNear(Planting& p) {
-    constexpr int kClearance = 4;
-    p.stickOut = p.program.among(14, 18);
-    p.flutes = p.stickOut;
-    p.holderClearance = kClearance;
-    const int gap = p.program.among(1, kClearance - 1);
+/// A part of the tool, so far above its tip, comes near to the top of the stock.
+void plantNear(Planting& p, int above, int clearance) {
+    p.holderClearance = clearance;
+    const int gap = p.program.among(1, clearance - 1);
     p.program.line(kToFault);
     p.program.mark();
-    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", p.stickOut - gap));
-    p.program.clean(fmt::format("G1 Z[-{}] F[200]", p.stickOut - kClearance));
-    p.value = kClearance - gap;
+    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", above - gap));
+    p.program.clean(fmt::format("G1 Z[-{}] F[200]", above - clearance));
+    p.value = clearance - gap;
+}
+
+void plantHolderNear(Planting& p) {
+    const int above = p.program.among(14, 18);
+    p.stickOut = above;
+    p.flutes = above;
+    plantNear(p, above, 4);
 }
 
 void plantShankNear(Planting& p) {
-    constexpr int kClearance = 3;
-    p.flutes = p.program.among(14, 18);
+    const int above = p.program.among(14, 18);
+    p.flutes = above;
     p.shank = p.diameter + 4;
-    p.holderClearance = kClearance;
-    const int gap = p.program.among(1, kClearance - 1);
-    p.program.line(kToFault);
-    p.program.mark();
-    p.program.faulty(fmt::format("G1 Z[-{}] F[200]", p.flutes - gap));
-    p.program.clean(fmt::format("G1 Z[-{}] F[200]", p.flutes - kClearance));
-    p.value = kClearance - gap;
+    plantNear(p, above, 3);
 }
 
 /// A square is cut around; in the twin, a bridge is left.
