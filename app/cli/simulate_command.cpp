@@ -266,7 +266,7 @@ private:
         m_simulation = std::move(*simulation);
         m_simulation->setCheckpointBudget(0); // it only goes back to the uncut stock
         if (!m_options.json && !followsSchedule())
-            m_simulation->keepFindingsOnly();
+            m_simulation->keepRecordsOf({});
         if (!m_options.provenance.empty())
             m_uncut = m_simulation->zmap();
         if (!cutAsRead())

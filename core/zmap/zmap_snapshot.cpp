@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cassert>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -76,8 +78,8 @@ bool ZMapSnapshot::sameHeights(const ZMapSnapshot& other, const IndexRect& rect)
 
 double ZMapSnapshot::volume() const {
     const double floorHeight = floor();
-    double total = 0;
-    for (std::size_t index = 0; index < m_tiles.size(); ++index) {
+    std::vector<double> sums(m_tiles.size());
+    inParallel(m_tiles.size(), [&](std::size_t index) {
         const IndexRect box = tileRect(index);
         double sum = 0;
         for (int j = box.j0; j < box.j1; ++j) {
@@ -88,8 +90,11 @@ double ZMapSnapshot::volume() const {
             }
             sum += j == 0 || j == m_grid.ny - 1 ? row / 2 : row;
         }
+        sums[index] = sum;
+    });
+    double total = 0; // in the order of tiles, with any number of threads
+    for (const double sum : sums)
         total += sum;
-    }
     return total * m_grid.hx * m_grid.hy;
 }
 

@@ -248,9 +248,9 @@ class BlocksInTurn {
 public:
     BlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
                  const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop,
-                 PortionCutting& cutting, Recording recording)
+                 PortionCutting& cutting, const BlockSet* recorded)
         : m_zmap(zmap), m_program(program), m_setup(setup), m_tools(tools), m_findings(findings),
-          m_stop(stop), m_recording(recording), m_first(first), m_last(last), m_cutter(cutting.cutter),
+          m_stop(stop), m_recorded(recorded), m_first(first), m_last(last), m_cutter(cutting.cutter),
           m_motions(program, first < last ? program.blockMotions(first).first : 0, setup, tools),
           m_waiting(cutting.motions), m_records(cutting.ofMotions), m_sums(cutting.ofBlocks) {
         m_waiting.clear();
@@ -288,7 +288,8 @@ private:
                 m_motions.continueAt(motions.last);
                 return true;
             }
-            one.recorded = m_recording == Recording::blocks || mayBeFound(m_zmap, motion, *cutter);
+            one.recorded =
+                m_recorded == nullptr || m_recorded->contains(block) || mayBeFound(m_zmap, motion, *cutter);
             m_waiting.push_back(one);
         }
         return false;
@@ -360,7 +361,7 @@ private:
     const ToolChoice& m_tools;
     FindingLog* m_findings;
     const std::stop_token& m_stop;
-    Recording m_recording;
+    const BlockSet* m_recorded; ///< null: all blocks
     std::size_t m_first;
     std::size_t m_last;
     SequenceCutter& m_cutter;
@@ -390,11 +391,11 @@ std::optional<std::span<const CutRecord>> cutBlocksInTurn(ZMap& zmap, const Prog
                                                           std::size_t first, std::size_t last,
                                                           const Setup& setup, const ToolChoice& tools,
                                                           FindingLog* findings, const std::stop_token& stop,
-                                                          PortionCutting& cutting, Recording recording) {
+                                                          PortionCutting& cutting, const BlockSet* recorded) {
     std::optional<ZMapSnapshot> before;
     if (stop.stop_possible())
         before = zmap.snapshot();
-    BlocksInTurn blocks(zmap, program, first, last, setup, tools, findings, stop, cutting, recording);
+    BlocksInTurn blocks(zmap, program, first, last, setup, tools, findings, stop, cutting, recorded);
     if (blocks.cutAll())
         return cutting.ofBlocks;
     zmap = ZMap(*before);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -11,6 +10,7 @@
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/sequence_cutter.h"
 #include "core/nc/program/program.h"
+#include "core/simulation/run/block_set.h"
 #include "core/simulation/run/finding_log.h"
 #include "core/simulation/setup/setup.h"
 #include "core/simulation/setup/tool_choice.h"
@@ -26,12 +26,6 @@ namespace proveout {
                                                 const Setup& setup, const ToolChoice& tools,
                                                 FindingLog* findings, const std::stop_token& stop);
 
-/// What a run keeps of the blocks it cuts.
-enum class Recording : std::uint8_t {
-    blocks,  ///< one record each
-    findings ///< only what was found: most motions are then cut for their heights alone
-};
-
 /// What it takes to cut many blocks together; kept from one portion of a program to the next, so that its
 /// memory, up to 90 MB, is allocated once. Owned by one thread.
 struct PortionCutting {
@@ -42,13 +36,14 @@ struct PortionCutting {
 };
 
 /// Cuts the blocks [first, last) with the same heights, records and findings as cutBlock() for one after the
-/// other, to the last bit, but many of their motions at once. One record per block, in `cutting`, which lacks
-/// what no finding needs if only findings are kept. If it is stopped, the map is as before, findings do not
-/// include these blocks, and there are no records.
+/// other, to the last bit, but many of their motions at once. One record per block, in `cutting`. If only
+/// some blocks are `recorded`, the records of others lack what no finding needs: most of their motions are
+/// cut for their heights alone, several times as fast. If it is stopped, the map is as before, findings do
+/// not include these blocks, and there are no records.
 [[nodiscard]] std::optional<std::span<const CutRecord>>
 cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
                 const ToolChoice& tools, FindingLog* findings, const std::stop_token& stop,
-                PortionCutting& cutting, Recording recording = Recording::blocks);
+                PortionCutting& cutting, const BlockSet* recorded = nullptr);
 
 /// All motions of the blocks [first, last), each with its cutter, or null if it cuts nothing, and marked by 1
 /// + its block. The cutters are those of `setup`.

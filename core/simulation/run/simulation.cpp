@@ -2,11 +2,11 @@
 #include "core/simulation/run/simulation.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "core/simulation/run/block_recorder.h"
 #include "core/simulation/run/play_ahead.h"
 #include "core/simulation/run/simulation_state.h"
 #include "core/simulation/setup/parameter_check.h"
@@ -16,6 +16,10 @@
 namespace proveout {
 
 namespace {
+
+void append(Diagnostics& findings, const Diagnostics& more) {
+    findings.insert(findings.end(), more.begin(), more.end());
+}
 
 /// The tool of the frame's block, and where it is.
 void noteCutter(Frame& frame, const ToolChoice& tools) {
@@ -34,6 +38,14 @@ void noteCutter(Frame& frame, const ToolChoice& tools) {
     }
 }
 
+Result<void> checkStart(const Setup& setup, const DecimationParameters& parameters, double limitBytes) {
+    if (auto fine = checkRanges(parameters); !fine)
+        return fine;
+    if (auto whole = checkShape(setup.shape); !whole)
+        return whole;
+    return checkSetupMemory(setup, parameters, limitBytes);
+}
+
 } // namespace
 
 Simulation::Simulation(std::unique_ptr<State> state) : m_state(std::move(state)) {}
@@ -42,14 +54,9 @@ Simulation::~Simulation() = default;
 Result<std::unique_ptr<Simulation>> Simulation::prepare(std::shared_ptr<const Program> program,
                                                         std::shared_ptr<const Setup> setup,
                                                         const DecimationParameters& parameters) {
-    if (auto fine = checkRanges(parameters); !fine)
-        return tl::unexpected(std::move(fine.error()));
-    if (auto whole = checkShape(setup->shape); !whole)
-        return tl::unexpected(std::move(whole.error()));
     const std::uint64_t limit = memoryLimitBytes();
-    if (auto fits = checkSetupMemory(*setup, parameters, static_cast<double>(limit)); !fits)
-        return tl::unexpected(std::move(fits.error()));
-
+    if (auto fine = checkStart(*setup, parameters, static_cast<double>(limit)); !fine)
+        return tl::unexpected(std::move(fine.error()));
     const StopWatch watch;
     auto state = std::make_unique<State>();
     state->surfaceMemory.allow(limit);
@@ -146,8 +153,14 @@ void Simulation::allowMemory(std::uint64_t bytes) {
     m_state->surfaceMemory.allow(bytes);
 }
 
-void Simulation::keepFindingsOnly() {
-    m_state->findingsOnly.emplace(m_state->stock.zmap);
+void Simulation::keepRecordsOf(BlockSet blocks) {
+    m_state->keptRecords.keepOnly(std::move(blocks), m_state->stock.zmap);
+}
+
+bool Simulation::record(const BlockSet& blocks, const WorkContext& context) {
+    State& state = *m_state;
+    const Checkpoint start = state.nearest(blocks.first());
+    return recordBlocks(state.rows, blocks, start, *state.program, *state.setup, state.tools, context);
 }
 
 bool Simulation::canRefine() const {
@@ -202,16 +215,13 @@ Frame Simulation::frame() const {
     frame.level = state.atRest.isShown() ? state.parameters.level : ErrorLevel::sample;
     frame.statistics = state.rows;
     frame.findings = state.stockFindings;
-    frame.findings.insert(frame.findings.end(), state.setupFindings.begin(), state.setupFindings.end());
-    std::ranges::move(state.findings.diagnostics(*state.program, state.tools),
-                      std::back_inserter(frame.findings));
+    append(frame.findings, state.setupFindings);
+    append(frame.findings, state.findings.diagnostics(*state.program, state.tools));
     if (state.surfaceMemory.exceeded())
         frame.findings.push_back(state.surfaceMemory.finding(*state.setup, state.parameters));
-    frame.removedMm3 =
-        state.findingsOnly ? state.findingsOnly->removedFrom(state.stock.zmap) : state.stock.removedMm3;
+    frame.removedMm3 = state.keptRecords.removedMm3(state.stock.zmap, state.stock.removedMm3);
     if (atEnd() && frame.removedMm3 <= 0)
-        std::ranges::move(untouchedStock(*state.program, *state.setup, state.tools),
-                          std::back_inserter(frame.findings));
+        append(frame.findings, untouchedStock(*state.program, *state.setup, state.tools));
     noteCutter(frame, state.tools);
     return frame;
 }

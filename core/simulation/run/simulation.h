@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/base/work_context.h"
+#include "core/simulation/run/block_set.h"
 #include "core/simulation/run/finding_log.h"
 #include "core/simulation/run/frame.h"
 #include "core/simulation/setup/tool_choice.h"
@@ -67,9 +68,13 @@ public:
     /// a larger surface all is drawn from the z-map until there are other parameters; a finding says so.
     void allowMemory(std::uint64_t bytes);
 
-    /// Keeps only findings from now on, before the first block: rows are not recorded, which makes cutting
-    /// several times as fast. Frames tell the removed volume nevertheless.
-    void keepFindingsOnly();
+    /// Keeps records only of these blocks and findings of all, which makes cutting several times as fast:
+    /// from now on, and for the first time before the first block is executed. Frames tell the removed volume
+    /// nevertheless.
+    void keepRecordsOf(BlockSet blocks);
+    /// Adds the records of blocks that were executed without them: what comes near them is cut once more,
+    /// from the nearest checkpoint. False if it was stopped: some may be missing.
+    bool record(const BlockSet& blocks, const WorkContext& context = {});
 
     /// Whether refine() has anything to do: the certified method shows its surface at the requested level,
     /// and merges regions, while nothing is cut.

@@ -27,15 +27,20 @@ std::vector<std::size_t> dirtyRegions(const Surface& surface, std::span<const st
     return regions;
 }
 
+/// The parts of a setup that do not fit a program.
+Diagnostics misfits(const Program& program, const Setup& setup, const ToolChoice& tools, const Grid& grid) {
+    Diagnostics findings = misplacedStock(program, setup, tools);
+    std::ranges::move(coarseGrid(grid, smallestCutter(program, setup, tools), setup.automaticGrid),
+                      std::back_inserter(findings));
+    return findings;
+}
+
 } // namespace
 
 void Simulation::State::useProgram(std::shared_ptr<const Program> wanted) {
     program = std::move(wanted);
     tools = ToolChoice(*program, *setup);
-    setupFindings = misplacedStock(*program, *setup, tools);
-    std::ranges::move(
-        coarseGrid(stock.zmap.grid(), smallestCutter(*program, *setup, tools), setup->automaticGrid),
-        std::back_inserter(setupFindings));
+    setupFindings = misfits(*program, *setup, tools, stock.zmap.grid());
 }
 
 // --- one block
@@ -64,12 +69,10 @@ bool Simulation::State::cutMany(StockRun& run, std::size_t count, PortionCutting
 bool Simulation::State::cutNew(StockRun& run, std::size_t count, PortionCutting& cutting,
                                const WorkContext& context) {
     const StopWatch watch;
-    const auto records =
-        cutBlocksInTurn(run.zmap, *program, run.block, run.block + count, *setup, tools, &findings,
-                        context.stop, cutting, findingsOnly ? Recording::findings : Recording::blocks);
+    const auto records = cutBlocksInTurn(run.zmap, *program, run.block, run.block + count, *setup, tools,
+                                         &findings, context.stop, cutting, keptRecords.blocks());
     for (std::size_t k = 0; records && k < count; ++k) {
-        rows.push_back(findingsOnly ? unrecordedRow(surface.facesFull())
-                                    : recordedRow((*records)[k], surface.facesFull()));
+        rows.push_back(keptRecords.row(run.block + k, (*records)[k], surface.facesFull()));
         run.removedMm3 += (*records)[k].removedMm3;
     }
     countCut(run, records ? count : 0, watch.seconds());

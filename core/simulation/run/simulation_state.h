@@ -12,7 +12,7 @@
 #include "core/cutting/cut/cutting.h"
 #include "core/simulation/run/checkpoints.h"
 #include "core/simulation/run/finding_log.h"
-#include "core/simulation/run/removed_volume.h"
+#include "core/simulation/run/kept_records.h"
 #include "core/simulation/run/schedule.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/run/surface_at_rest.h"
@@ -60,7 +60,7 @@ struct Simulation::State {
 
     SurfaceMemory surfaceMemory;
     SurfaceAtRest atRest;
-    std::optional<RemovedVolume> findingsOnly; ///< if no records are kept: what was removed
+    KeptRecords keptRecords;
 
     Checkpoints checkpoints;
     PersistentArray<BlockStatistics> rows;

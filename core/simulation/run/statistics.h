@@ -23,7 +23,7 @@ struct BlockStatistics {
     float cutSeconds = kNotMeasured;
     /// Of several moments made at once (PlayAhead), each has its share of the wall time.
     float decimationSeconds = kNotMeasured;
-    // Without records (Recording::findings) the rest is not measured either.
+    // Without a record (Simulation::keepRecordsOf()) the rest is not measured either.
     float maxDepth = 0;         ///< largest height removed at a point, mm: the axial depth
     float radialEngagement = 0; ///< the width that was cut across the path, mm, to within one spacing of the
                                 ///< grid

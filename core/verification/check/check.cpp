@@ -34,8 +34,9 @@ struct CheckedStock {
 namespace {
 
 /// Progress before and after the cutting, which takes nearly all of the time.
+constexpr double kTimed = 0.05;
 constexpr double kCut = 0.9;
-constexpr double kTimed = 0.95;
+constexpr double kRecorded = 0.95;
 /// What a checker keeps is at most one of so many parts of the memory.
 constexpr double kKeptShare = 4;
 
@@ -151,33 +152,44 @@ private:
         if (auto prepared = prepareStock(); !prepared)
             return prepared;
         Simulation& simulation = *m_stock->simulation;
-        const std::size_t cutBefore = simulation.effort().blocksCut;
-        simulation.seek(m_program.blockCount(), m_context.part(0, kCut));
-        m_blocksCut = simulation.effort().blocksCut - cutBefore;
-        if (m_context.stopped())
+        m_tools = simulation.tools();
+        const auto times =
+            machineTimes(m_subject.program, m_subject.machine.value_or(Machine()), m_context.part(0, kTimed));
+        if (!times)
             return {};
-        const auto times = machineTimes(m_subject.program, m_subject.machine.value_or(Machine()),
-                                        m_context.part(kCut, kTimed));
-        if (times)
+        const std::size_t cutBefore = simulation.effort().blocksCut;
+        simulation.keepRecordsOf(neededRecords(runOf(simulation, *times, simulation.zmap(), 0), m_rules));
+        simulation.seek(m_program.blockCount(), m_context.part(kTimed, kCut));
+        if (!m_context.stopped())
             judgeRun(simulation, *times);
+        m_blocksCut = simulation.effort().blocksCut - cutBefore;
         return {};
     }
 
-    void judgeRun(const Simulation& simulation, const MachineTimes& times) {
+    [[nodiscard]] CheckedRun runOf(const Simulation& simulation, const MachineTimes& times,
+                                   const ZMapSnapshot& end, double removedMm3) const {
+        return {.program = m_program,
+                .setup = *m_subject.setup,
+                .tools = m_tools,
+                .machine = machine(),
+                .times = times,
+                .rows = simulation.rows(),
+                .begin = m_stock->begin && needsBegin() ? &*m_stock->begin : nullptr,
+                .end = end,
+                .removedMm3 = removedMm3};
+    }
+
+    void judgeRun(Simulation& simulation, const MachineTimes& times) {
         const Frame frame = simulation.frame();
-        m_tools = simulation.tools();
         addAboutSetup(frame.findings);
         addOfBlocks(simulation.findings());
-        const CheckedRun run{.program = m_program,
-                             .setup = *m_subject.setup,
-                             .tools = m_tools,
-                             .machine = machine(),
-                             .times = times,
-                             .rows = simulation.rows(),
-                             .begin = m_stock->begin && needsBegin() ? &*m_stock->begin : nullptr,
-                             .end = frame.zmap,
-                             .removedMm3 = frame.removedMm3};
-        for (const RuleFinding& finding : judge(run, m_rules, m_context.part(kTimed, 1)))
+        const CheckedRun run = runOf(simulation, times, frame.zmap, frame.removedMm3);
+        for (BlockSet missing = neededRecords(run, m_rules); !missing.empty();
+             missing = neededRecords(run, m_rules)) {
+            if (!simulation.record(missing, m_context.part(kCut, kRecorded)))
+                return;
+        }
+        for (const RuleFinding& finding : judge(run, m_rules, m_context.part(kRecorded, 1)))
             addOfRule(finding);
         for (const FirstContact& contact : firstContacts(run))
             m_report.firstContacts.push_back({contact, lineOf(contact.block)});
@@ -267,6 +279,7 @@ Result<double> checkBytes(const CheckSubject& subject) {
         return tl::unexpected(grid.error());
     constexpr double kOfBlock = sizeof(BlockStatistics) + MachineTimes::kBytesPerBlock;
     return memoryForecast(*subject.setup, *grid, withoutDecimation(*subject.setup)).most +
+           zmapBytes(*grid) + // Simulation::record()
            fixtureBytes(subject.setup->fixtures) +
            kOfBlock * static_cast<double>(subject.program->blockCount());
 }

@@ -20,17 +20,19 @@ bool isTap(const Cutter* cutter) {
     return shape != nullptr && std::string_view(shape->key) == "tap";
 }
 
-void addMotion(FeedCut& cut, const Motion& motion) {
+void addMotion(FeedBlock& block, const Motion& motion) {
     if (motion.kind == MotionKind::rapid || motion.probing || !motion.known())
         return;
     const double length = pathLength(motion);
-    cut.feed = std::max(cut.feed, motion.feedMmPerMin);
-    cut.rpm = std::max(cut.rpm, std::abs(motion.spindleRpm));
-    cut.length += length;
+    const double lowest = bounds(motion).lo.z;
+    block.lowest = block.length > 0 ? std::min(block.lowest, lowest) : lowest;
+    block.feed = std::max(block.feed, motion.feedMmPerMin);
+    block.rpm = std::max(block.rpm, std::abs(motion.spindleRpm));
+    block.length += length;
     if (motion.feedMmPerMin > 0)
-        cut.minutes += length / motion.feedMmPerMin;
-    cut.steepest = std::max(cut.steepest, angleDown(motion));
-    cut.sideways = cut.sideways || movesInPlan(motion);
+        block.minutes += length / motion.feedMmPerMin;
+    block.steepest = std::max(block.steepest, angleDown(motion));
+    block.sideways = block.sideways || movesInPlan(motion);
 }
 
 } // namespace proveout

@@ -10,21 +10,26 @@
 
 namespace proveout {
 
-/// A block that cuts at feed. References to what the run has.
-struct FeedCut {
+/// A block that moves at feed. References to what the run has.
+struct FeedBlock {
     std::size_t block = 0;
     int tool = 0;
     const Cutter& cutter;
-    const BlockStatistics& of;
     // Of its motions at feed:
     double feed = 0;       ///< the largest, mm/min
     double rpm = 0;        ///< the largest, without sign
     double length = 0;     ///< mm
     double minutes = 0;    ///< at the programmed feed; 0 if a motion has none
     double steepest = 0;   ///< the largest angle below level, degrees
+    double lowest = 0;     ///< z of the tip
     bool sideways = false; ///< whether one of them moves in X or Y
 
     [[nodiscard]] const CuttingData& data() const { return cutter.data(); }
+};
+
+/// One that cuts, with its record.
+struct FeedCut : FeedBlock {
+    const BlockStatistics& of;
 };
 
 /// What moves less in X and Y, mm, moves along its axis: a control rounds the end of a compensated or rotated
@@ -44,28 +49,38 @@ inline constexpr double kSideways = 0.01;
 [[nodiscard]] bool isTap(const Cutter* cutter);
 
 /// Adds what a motion at feed does.
-void addMotion(FeedCut& cut, const Motion& motion);
+void addMotion(FeedBlock& block, const Motion& motion);
 
-/// Calls `visit` with each block that cuts at feed with a tool whose data `concerns`, in order. Costs next to
-/// nothing if the table has no such tool.
-template<class Concerns, class Visit>
-void forEachFeedCut(const CheckedRun& run, const Concerns& concerns, const Visit& visit) {
+/// Calls `visit` with each of the blocks that `isOne`, moves at feed, and has a tool whose data `concerns`,
+/// in order. Costs next to nothing if the table has no such tool.
+template<class IsOne, class Concerns, class Visit>
+void forEachFeedBlock(const CheckedRun& run, const IsOne& isOne, const Concerns& concerns,
+                      const Visit& visit) {
     const auto isConcerned = [&](const auto& tool) { return concerns(tool.second.data()); };
     if (std::ranges::none_of(run.setup.tools.tools(), isConcerned))
         return;
-    for (std::size_t block = 0; block < run.rows.size(); ++block) {
-        if (!run.rows[block].cuts())
+    for (std::size_t index = 0; index < run.program.blockCount(); ++index) {
+        if (!isOne(index))
             continue;
-        const Cutter* cutter = run.cutterOf(block);
+        const Cutter* cutter = run.cutterOf(index);
         if (cutter == nullptr || !concerns(cutter->data()))
             continue;
-        FeedCut cut{.block = block, .tool = run.toolOf(block), .cutter = *cutter, .of = run.rows[block]};
-        const auto motions = run.program.blockMotions(block);
-        for (std::size_t index = motions.first; index < motions.last; ++index)
-            addMotion(cut, run.program.motion(index));
-        if (cut.length > 0)
-            visit(cut);
+        FeedBlock block{.block = index, .tool = run.toolOf(index), .cutter = *cutter};
+        const auto motions = run.program.blockMotions(index);
+        for (std::size_t motion = motions.first; motion < motions.last; ++motion)
+            addMotion(block, run.program.motion(motion));
+        if (block.length > 0)
+            visit(block);
     }
+}
+
+/// The same with those that cut.
+template<class Concerns, class Visit>
+void forEachFeedCut(const CheckedRun& run, const Concerns& concerns, const Visit& visit) {
+    const auto cuts = [&](std::size_t block) { return run.rows[block].cuts(); };
+    forEachFeedBlock(run, cuts, concerns, [&](const FeedBlock& block) {
+        visit(FeedCut{block, run.rows[block.block]});
+    });
 }
 
 } // namespace proveout

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/simulation/run/block_set.h"
 #include "core/verification/rules/checked_run.h"
 
 namespace proveout {
@@ -17,5 +18,7 @@ struct FirstContact {
 
 /// Of every tool that cuts, in the order of the program. Any thread.
 [[nodiscard]] std::vector<FirstContact> firstContacts(const CheckedRun& run);
+/// Adds the blocks whose records are missing for them.
+void needForFirstContacts(const CheckedRun& run, BlockSet& out);
 
 } // namespace proveout

@@ -33,6 +33,18 @@ void addAbove(const CheckedRun& run, Limit limit, const FindingRow& row, RuleFin
         });
 }
 
+/// Adds the blocks of tools with a limit that may exceed it.
+template<class MayExceed>
+void needWhere(const CheckedRun& run, Limit limit, BlockSet& out, const MayExceed& mayExceed) {
+    forEachFeedBlock(
+        run, [&](std::size_t block) { return !run.isRecorded(block); },
+        [&](const CuttingData& data) { return data.*limit > 0; },
+        [&](const FeedBlock& block) {
+            if (mayExceed(block, block.data().*limit))
+                out.add(block.block);
+        });
+}
+
 double spacingOf(const CheckedRun& run) {
     return std::max(run.end.grid().hx, run.end.grid().hy);
 }
@@ -42,13 +54,16 @@ double engagementOf(const FeedCut& cut) {
     return cut.sideways ? double{cut.of.radialEngagement} : 0;
 }
 
+double feedPerTooth(const FeedBlock& block) {
+    return block.feed / (block.data().teeth * block.rpm);
+}
+
 double chipOf(const FeedCut& cut) {
     if (cut.rpm == 0)
         return 0;
-    const double feedPerTooth = cut.feed / (cut.data().teeth * cut.rpm);
     const double depth = cut.of.maxDepth;
-    return cut.sideways ? chipThickness(cut.cutter, feedPerTooth, depth, engagementOf(cut))
-                        : chipThicknessDown(cut.cutter, feedPerTooth, depth);
+    return cut.sideways ? chipThickness(cut.cutter, feedPerTooth(cut), depth, engagementOf(cut))
+                        : chipThicknessDown(cut.cutter, feedPerTooth(cut), depth);
 }
 
 /// Blocks that follow each other, of one tool. A block that is shorter than the spacing of the grid removes
@@ -101,13 +116,33 @@ void judgeDepth(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
         [](const FeedCut& cut) { return cut.sideways ? double{cut.of.maxDepth} : 0; }, kNothingRemoved);
 }
 
+void needForDepth(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    const double top = run.setup.stock.topZ();
+    needWhere(run, &CuttingData::mostDepth, out, [&](const FeedBlock& block, double most) {
+        return block.sideways && top - block.lowest > most;
+    });
+}
+
 void judgeEngagement(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     addAbove(run, &CuttingData::mostEngagement, rule_finding::kEngagementLimit, out, engagementOf,
              kNothingRemoved);
 }
 
+void needForEngagement(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    // The width is measured to within a spacing, and from the ends of the path.
+    needWhere(run, &CuttingData::mostEngagement, out,
+              [](const FeedBlock& block, double) { return block.sideways; });
+}
+
 void judgeChips(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     addAbove(run, &CuttingData::mostChip, rule_finding::kChipLimit, out, chipOf);
+}
+
+/// No chip is thicker than the feed per tooth.
+void needForChips(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    needWhere(run, &CuttingData::mostChip, out, [](const FeedBlock& block, double most) {
+        return block.rpm > 0 && feedPerTooth(block) > most;
+    });
 }
 
 void judgeSurfaceSpeed(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
@@ -115,9 +150,21 @@ void judgeSurfaceSpeed(const CheckedRun& run, const RuleLimits&, RuleFindings& o
              [](const FeedCut& cut) { return surfaceSpeed(cut.cutter, cut.of.maxDepth, cut.rpm); });
 }
 
+void needForSurfaceSpeed(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    constexpr double kAboveProfile = 1e9; // where a cutter is as wide as anywhere
+    needWhere(run, &CuttingData::mostSurfaceSpeed, out, [](const FeedBlock& block, double most) {
+        return surfaceSpeed(block.cutter, kAboveProfile, block.rpm) > most;
+    });
+}
+
 void judgeToolFeed(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     addAbove(run, &CuttingData::mostFeed, rule_finding::kToolFeedLimit, out,
              [](const FeedCut& cut) { return cut.feed; });
+}
+
+void needForToolFeed(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    needWhere(run, &CuttingData::mostFeed, out,
+              [](const FeedBlock& block, double most) { return block.feed > most; });
 }
 
 void judgeRemovalRate(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
@@ -128,6 +175,10 @@ void judgeRemovalRate(const CheckedRun& run, const RuleLimits&, RuleFindings& ou
     stretch.end();
 }
 
+void needForRemovalRate(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    needWhere(run, &CuttingData::mostRemoval, out, [](const FeedBlock&, double) { return true; });
+}
+
 void judgeFullSlots(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     const double spacing = spacingOf(run);
     forEachFeedCut(
@@ -136,6 +187,16 @@ void judgeFullSlots(const CheckedRun& run, const RuleLimits&, RuleFindings& out)
             const double diameter = 2 * cut.cutter.radius();
             if (diameter > 2 * spacing && engagementOf(cut) > diameter - spacing)
                 out.add(rule_finding::kFullSlot, cut.block, cut.tool, engagementOf(cut), diameter);
+        });
+}
+
+void needForFullSlots(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    forEachFeedBlock(
+        run, [&](std::size_t block) { return !run.isRecorded(block); },
+        [](const CuttingData& data) { return data.limitsCut() && data.mostEngagement == 0; },
+        [&](const FeedBlock& block) {
+            if (block.sideways)
+                out.add(block.block);
         });
 }
 

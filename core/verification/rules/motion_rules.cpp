@@ -36,6 +36,14 @@ void addCutting(const CheckedRun& run, const FindingRow& row, RuleFindings& out,
     }
 }
 
+/// Adds the blocks that addCutting() may add, whatever they cut.
+template<class Property>
+void needCutting(const CheckedRun& run, BlockSet& out, const Property& property) {
+    for (std::size_t block = 0; block < run.program.blockCount(); ++block)
+        if (!run.isRecorded(block) && anyAtFeed(run, block, property))
+            out.add(block);
+}
+
 bool cutsAlongAxisOnly(const Cutter* cutter) {
     constexpr std::array<std::string_view, 4> kShapes{"drill", "centre", "reamer", "tap"};
     const CutterShape* shape = cutter == nullptr ? nullptr : shapeOf(cutter->spec());
@@ -54,6 +62,61 @@ bool isSpindleStopped(const Motion& motion) {
     return motion.spindleRpm == 0;
 }
 
+/// Of a motion: whether the spindle turns the wrong way.
+auto isReversedIn(const CheckedRun& run) {
+    return [&run](const Motion& motion) {
+        return motion.spindleRpm < 0 && !isTap(run.setup.tools.find(run.tools.tool(motion.tool)));
+    };
+}
+
+/// Of a motion: whether a tool moves sideways that cuts along its axis only.
+auto isSidewaysDrillIn(const CheckedRun& run) {
+    return [&run](const Motion& motion) {
+        return movesInPlan(motion) && cutsAlongAxisOnly(run.setup.tools.find(run.tools.tool(motion.tool)));
+    };
+}
+
+bool anyDrill(const CheckedRun& run) {
+    return std::ranges::any_of(run.setup.tools.tools(),
+                               [](const auto& tool) { return cutsAlongAxisOnly(&tool.second); });
+}
+
+/// Calls `add(first, last, seconds)` with each longest sequence of blocks [first, last) that are `inAir`, and
+/// their time.
+template<class InAir, class Add>
+void forEachAirStretch(const CheckedRun& run, const InAir& inAir, const Add& add) {
+    std::size_t first = 0;
+    double seconds = 0;
+    for (std::size_t block = 0; block < run.program.blockCount(); ++block) {
+        if (!inAir(block)) {
+            add(first, block, seconds);
+            first = block + 1;
+            seconds = 0;
+        } else {
+            seconds += run.times.movingSeconds(block);
+        }
+    }
+    add(first, run.program.blockCount(), seconds);
+}
+
+bool isAtFeed(const CheckedRun& run, std::size_t block) {
+    return anyAtFeed(run, block, [](const Motion&) { return true; });
+}
+
+/// Adds so many blocks of a stretch that one of them may be in air, and the part between its neighbours still
+/// does not take as long as the limit.
+void addSamples(const CheckedRun& run, std::size_t first, std::size_t last, double limit, BlockSet& out) {
+    constexpr double kSamples = 2.5;
+    double seconds = 0;
+    for (std::size_t block = first; block < last; ++block) {
+        seconds += run.times.movingSeconds(block);
+        if (seconds < limit / kSamples)
+            continue;
+        out.add(block);
+        seconds = 0;
+    }
+}
+
 } // namespace
 
 void judgeStoppedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
@@ -67,27 +130,35 @@ void judgeUnusedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& 
         addCutting(run, rule_finding::kSpindleNeverTurns, out, isSpindleStopped);
 }
 
+void needForStoppedSpindle(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    needCutting(run, out, isSpindleStopped);
+}
+
 void judgeReversedSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
-    addCutting(run, rule_finding::kSpindleReversed, out, [&](const Motion& motion) {
-        return motion.spindleRpm < 0 && !isTap(run.setup.tools.find(run.tools.tool(motion.tool)));
-    });
+    addCutting(run, rule_finding::kSpindleReversed, out, isReversedIn(run));
+}
+
+void needForReversedSpindle(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    needCutting(run, out, isReversedIn(run));
 }
 
 void judgeSidewaysDrill(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
-    if (std::ranges::none_of(run.setup.tools.tools(),
-                             [](const auto& tool) { return cutsAlongAxisOnly(&tool.second); }))
+    if (!anyDrill(run))
         return;
     // The shape of a tool that is not confirmed may be wrong: an end mill is called a drill in many comments.
     for (const bool unconfirmed : {false, true}) {
         const FindingRow& row =
             unconfirmed ? rule_finding::kDrillSidewaysUnconfirmed : rule_finding::kDrillSideways;
         addCutting(run, row, out, [&](const Motion& motion) {
-            const int tool = run.tools.tool(motion.tool);
-            const bool isUnconfirmed = run.setup.tools.unconfirmedOrigin(tool) != nullptr;
-            return movesInPlan(motion) && isUnconfirmed == unconfirmed &&
-                   cutsAlongAxisOnly(run.setup.tools.find(tool));
+            const auto* origin = run.setup.tools.unconfirmedOrigin(run.tools.tool(motion.tool));
+            return (origin != nullptr) == unconfirmed && isSidewaysDrillIn(run)(motion);
         });
     }
+}
+
+void needForSidewaysDrill(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    if (anyDrill(run))
+        needCutting(run, out, isSidewaysDrillIn(run));
 }
 
 void judgeFeedLimit(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
@@ -106,25 +177,29 @@ void judgeFeedLimit(const CheckedRun& run, const RuleLimits&, RuleFindings& out)
 }
 
 void judgeAirCutting(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out) {
-    std::size_t first = 0;
-    double seconds = 0;
-    const auto endStretch = [&] {
+    const auto inAir = [&](std::size_t block) {
+        return run.isRecorded(block) && !run.rows[block].cuts() && isAtFeed(run, block);
+    };
+    forEachAirStretch(run, inAir, [&](std::size_t first, std::size_t, double seconds) {
         if (seconds > limits.airSeconds)
             out.add(rule_finding::kAirCutting, first, run.toolOf(first), seconds, limits.airSeconds);
-        seconds = 0;
+    });
+}
+
+/// A block that cuts ends a stretch: as long as some of them do, others need not be known.
+void needForAirCutting(const CheckedRun& run, const RuleLimits& limits, BlockSet& out) {
+    const auto mayBeInAir = [&](std::size_t block) {
+        return !(run.isRecorded(block) && run.rows[block].cuts()) && isAtFeed(run, block);
     };
-    for (std::size_t block = 0; block < run.rows.size(); ++block) {
-        const bool inAir =
-            !run.rows[block].cuts() && anyAtFeed(run, block, [](const Motion&) { return true; });
-        if (!inAir) {
-            endStretch();
-            continue;
-        }
-        if (seconds == 0)
-            first = block;
-        seconds += run.times.movingSeconds(block);
-    }
-    endStretch();
+    forEachAirStretch(run, mayBeInAir, [&](std::size_t first, std::size_t last, double seconds) {
+        if (seconds <= limits.airSeconds)
+            return;
+        if (!run.isDone())
+            return addSamples(run, first, last, limits.airSeconds, out);
+        for (std::size_t block = first; block < last; ++block)
+            if (!run.isRecorded(block))
+                out.add(block);
+    });
 }
 
 } // namespace proveout

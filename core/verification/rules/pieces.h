@@ -13,8 +13,8 @@ struct Piece {
     Vec3 place{0};        ///< its first point on the grid, on its surface, program coordinates
 };
 
-/// The pieces of a stock: points above its floor that neighbours in a row or a column join. Any thread; time
-/// and memory in proportion to the points and to the gaps between them in a row.
+/// The pieces of a stock: points above its floor that neighbours in a row or a column join. Any thread, and
+/// several inside; memory in proportion to the gaps between points in a row.
 [[nodiscard]] std::vector<Piece> piecesOf(const ZMapSnapshot& stock);
 
 } // namespace proveout

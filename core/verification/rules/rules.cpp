@@ -7,6 +7,7 @@
 
 #include "core/base/figures_argument.h"
 #include "core/verification/findings/rule_findings.h"
+#include "core/verification/rules/first_contacts.h"
 
 namespace proveout {
 
@@ -46,32 +47,32 @@ constexpr std::array<const FindingRow*, 1> kOfHolderNear{&kHolderNear};
 constexpr std::array<const FindingRow*, 1> kOfShankNear{&kShankNear};
 
 constexpr std::array kRules{
-    Rule{kOfStoppedSpindle, "mm", judgeStoppedSpindle},
-    Rule{kOfUnusedSpindle, "mm", judgeUnusedSpindle},
-    Rule{kOfReversedSpindle, "mm", judgeReversedSpindle},
+    Rule{kOfStoppedSpindle, "mm", judgeStoppedSpindle, needForStoppedSpindle},
+    Rule{kOfUnusedSpindle, "mm", judgeUnusedSpindle, needForStoppedSpindle},
+    Rule{kOfReversedSpindle, "mm", judgeReversedSpindle, needForReversedSpindle},
     Rule{kOfFeed, "mm/min", judgeFeedLimit},
-    Rule{kOfDrill, "mm", judgeSidewaysDrill},
-    Rule{kOfRemoval, "%", judgeRemoval},
+    Rule{kOfDrill, "mm", judgeSidewaysDrill, needForSidewaysDrill},
+    Rule{kOfRemoval, "%", judgeRemoval, needForRemoval},
     Rule{kOfUnits, "", judgeUnits},
     Rule{kOfRoom, "mm", judgeRoomBelow},
     Rule{kOfFixtures, "mm", judgeFixtures},
     Rule{kOfFixtureClearance, "mm", judgeFixtureClearance},
     Rule{kOfPieces, "mm³", judgeLoosePieces},
-    Rule{kOfAir, "s", judgeAirCutting},
+    Rule{kOfAir, "s", judgeAirCutting, needForAirCutting},
     Rule{kOfClearance, "mm", judgeClearance},
-    Rule{kOfDepth, "mm", judgeDepth},
-    Rule{kOfEngagement, "mm", judgeEngagement},
-    Rule{kOfJumps, "mm", judgeEngagementJumps},
-    Rule{kOfSlots, "mm", judgeFullSlots},
-    Rule{kOfChips, "mm", judgeChips},
-    Rule{kOfSurface, "m/min", judgeSurfaceSpeed},
-    Rule{kOfRate, "cm³/min", judgeRemovalRate},
-    Rule{kOfToolFeed, "mm/min", judgeToolFeed},
-    Rule{kOfToolSpindle, "rpm", judgeToolSpindle},
+    Rule{kOfDepth, "mm", judgeDepth, needForDepth},
+    Rule{kOfEngagement, "mm", judgeEngagement, needForEngagement},
+    Rule{kOfJumps, "mm", judgeEngagementJumps, needForEngagement},
+    Rule{kOfSlots, "mm", judgeFullSlots, needForFullSlots},
+    Rule{kOfChips, "mm", judgeChips, needForChips},
+    Rule{kOfSurface, "m/min", judgeSurfaceSpeed, needForSurfaceSpeed},
+    Rule{kOfRate, "cm³/min", judgeRemovalRate, needForRemovalRate},
+    Rule{kOfToolFeed, "mm/min", judgeToolFeed, needForToolFeed},
+    Rule{kOfToolSpindle, "rpm", judgeToolSpindle, needForToolSpindle},
     Rule{kOfSpindle, "rpm", judgeSpindleLimit},
-    Rule{kOfRamps, "°", judgeRamps},
-    Rule{kOfTapFeed, "mm/min", judgeTapFeed},
-    Rule{kOfTapOut, "mm", judgeTapOut},
+    Rule{kOfRamps, "°", judgeRamps, needForRamps},
+    Rule{kOfTapFeed, "mm/min", judgeTapFeed, needForTaps},
+    Rule{kOfTapOut, "mm", judgeTapOut, needForTaps},
     Rule{kOfTravel, "mm", judgeTravel},
     Rule{kOfToolChange, "mm", judgeToolChanges},
     Rule{kOfHolderNear, "mm", judgeHolderClearance},
@@ -152,6 +153,19 @@ std::vector<RuleFinding> judge(const CheckedRun& run, const CheckRules& by, cons
             std::ranges::move(judgedBy(rule, run, by), std::back_inserter(all));
     std::erase_if(all, [&by](const RuleFinding& one) { return by.isOff(one.row->id, one.tool); });
     return all;
+}
+
+BlockSet neededRecords(const CheckedRun& run, const CheckRules& by) {
+    BlockSet needed;
+    for (const Rule& rule : kRules) {
+        if (rule.need == nullptr || by.off.contains(rule.id()))
+            continue;
+        rule.need(run, by.limits, needed);
+        for (const auto& ofTool : by.limitsOf(rule.id()))
+            rule.need(run, ofTool.second, needed);
+    }
+    needForFirstContacts(run, needed);
+    return needed;
 }
 
 Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program) {

@@ -13,6 +13,7 @@
 
 #include "core/base/finding_row.h"
 #include "core/base/work_context.h"
+#include "core/simulation/run/block_set.h"
 #include "core/simulation/setup/check_rules.h"
 #include "core/verification/rules/checked_run.h"
 
@@ -59,6 +60,9 @@ struct Rule {
     std::span<const FindingRow* const> rows; ///< its findings; all have one id, by which it is turned off
     const char* unit;                        ///< of their values
     void (*judge)(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+    /// Adds the blocks whose records it needs and has not; called before the run, and again after it until
+    /// there are none. Null: it needs no records.
+    void (*need)(const CheckedRun& run, const RuleLimits& limits, BlockSet& out) = nullptr;
 
     [[nodiscard]] const char* id() const { return rows.front()->id; }
 };
@@ -71,6 +75,10 @@ struct Rule {
 /// by those before it.
 [[nodiscard]] std::vector<RuleFinding> judge(const CheckedRun& run, const CheckRules& by,
                                              const WorkContext& context = {});
+
+/// The blocks whose records are missing for judge() and firstContacts(), as far as that is known now: once
+/// the run is done, with its records asked for again and again, none is missing in the end.
+[[nodiscard]] BlockSet neededRecords(const CheckedRun& run, const CheckRules& by);
 
 /// The sentence of a finding, at the line of its first block.
 [[nodiscard]] Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program);
@@ -107,5 +115,21 @@ void judgeToolChanges(const CheckedRun& run, const RuleLimits& limits, RuleFindi
 void judgeHolderClearance(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeShankClearance(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
 void judgeTapOut(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out);
+
+void needForStoppedSpindle(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForReversedSpindle(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForSidewaysDrill(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForAirCutting(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForRemoval(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForDepth(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForEngagement(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForChips(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForSurfaceSpeed(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForRemovalRate(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForFullSlots(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForToolFeed(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForToolSpindle(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForRamps(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
+void needForTaps(const CheckedRun& run, const RuleLimits& limits, BlockSet& out);
 
 } // namespace proveout

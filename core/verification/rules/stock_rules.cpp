@@ -32,6 +32,20 @@ void judgeRemoval(const CheckedRun& run, const RuleLimits& limits, RuleFindings&
         out.add(rule_finding::kHardlyCuts, percent, limits.leastRemoved);
 }
 
+/// Something was removed, but none of the known blocks has done it.
+void needForRemoval(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    if (!run.isDone() || run.removedMm3 <= 0)
+        return;
+    std::size_t known = 0;
+    for (std::size_t block = 0; block < run.rows.size(); ++block) {
+        if (run.rows[block].cuts())
+            return;
+        known += run.isRecorded(block) ? 1 : 0;
+    }
+    for (std::size_t block = 0; known < run.rows.size() && block < run.rows.size(); ++block)
+        out.add(block);
+}
+
 void judgeUnits(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     constexpr double kLeast = 20; // an inch has 25.4 mm; stock and cuts are seldom of one size
     constexpr double kMost = 32;

@@ -12,12 +12,15 @@ namespace proveout {
 
 namespace {
 
+bool anyTap(const CheckedRun& run) {
+    return std::ranges::any_of(run.setup.tools.tools(), [](const auto& tool) { return isTap(&tool.second); });
+}
+
 /// Calls `visit` with each motion of a tap, its block, and how deep this block cuts, mm; with null for a
 /// block of another tool.
 template<class Visit>
 void forEachTapMotion(const CheckedRun& run, const Visit& visit) {
-    const auto isOne = [](const auto& tool) { return isTap(&tool.second); };
-    if (std::ranges::none_of(run.setup.tools.tools(), isOne))
+    if (!anyTap(run))
         return;
     for (std::size_t block = 0; block < run.rows.size(); ++block) {
         const Cutter* cutter = run.cutterOf(block);
@@ -47,6 +50,17 @@ void judgeToolSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& ou
     }
 }
 
+void needForToolSpindle(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    const auto isLimited = [](const auto& tool) { return tool.second.data().mostSpindle > 0; };
+    if (std::ranges::none_of(run.setup.tools.tools(), isLimited))
+        return;
+    for (std::size_t block = 0; block < run.program.blockCount(); ++block) {
+        const Motion last = run.program.motion(run.program.blockMotions(block).last - 1);
+        if (last.kind == MotionKind::rapid && !run.isRecorded(block))
+            out.add(block);
+    }
+}
+
 void judgeSpindleLimit(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     const double most = run.machine == nullptr ? 0 : run.machine->largestSpindle;
     for (std::size_t block = 0; most > 0 && block < run.program.blockCount(); ++block) {
@@ -68,6 +82,16 @@ void judgeRamps(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
         });
 }
 
+void needForRamps(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    forEachFeedBlock(
+        run, [&](std::size_t block) { return !run.isRecorded(block); },
+        [](const CuttingData& data) { return data.steepestRamp < 90; },
+        [&](const FeedBlock& block) {
+            if (block.steepest > block.data().steepestRamp)
+                out.add(block.block);
+        });
+}
+
 void judgeTapFeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out) {
     forEachTapMotion(run, [&](const Cutter* tap, const Motion& motion, std::size_t block, double depth) {
         if (tap == nullptr || depth == 0 || motion.kind == MotionKind::rapid)
@@ -77,6 +101,15 @@ void judgeTapFeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings&
         if (needed > 0 && difference > needed * limits.tapFeedError / 100)
             out.add(rule_finding::kTapFeed, block, run.toolOf(block), motion.feedMmPerMin, needed);
     });
+}
+
+/// For both rules of taps.
+void needForTaps(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
+    if (!anyTap(run))
+        return;
+    for (std::size_t block = 0; block < run.program.blockCount(); ++block)
+        if (!run.isRecorded(block) && isTap(run.cutterOf(block)))
+            out.add(block);
 }
 
 /// A tap is screwed into the material: it comes out in one piece only if the spindle turns the other way.

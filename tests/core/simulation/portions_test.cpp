@@ -117,7 +117,7 @@ TEST(Portions, FindWithoutRecordsWhatSingleBlocksFind) {
         const auto wanted = straightRun(program, setup, parameters).back();
         const auto simulation = startedSimulation(program, setup, parameters);
         simulation->setCheckpointBudget(0);
-        simulation->keepFindingsOnly();
+        simulation->keepRecordsOf({});
         if (random() % 2 == 0)
             simulation->seek(random() % program->blockCount());
         simulation->seek(program->blockCount());

@@ -488,6 +488,7 @@ TEST(Checker, OfAnEditedProgramFindsWhatACheckOfItAloneFinds) {
     const auto setup = smallSetup();
     for (int round = 0; round < roundsOf(60); ++round) {
         rules.limits.rapidClearance = round % 7 == 0 ? 1 : 0;
+        rules.limits.airSeconds = round % 5 == 0 ? 1 : 10; // which needs records that were not kept
         text = edited(text, random);
         const CheckSubject subject{.program = programOf(text), .setup = setup};
         std::stop_source stop;
