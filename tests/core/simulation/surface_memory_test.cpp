@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A surface that needs more memory than is allowed is given up; the stock is cut and shown nevertheless.
 #include <algorithm>
+#include <cstring>
 #include <gtest/gtest.h>
+#include <new>
 #include <string_view>
+#include <sys/mman.h>
 #include <utility>
 #include <vector>
 
@@ -18,11 +21,31 @@ std::shared_ptr<const Setup> manyPoints() {
     return smallSetup(0.05);
 }
 
+/// Memory from the system: what malloc has kept of freed memory would not make the process larger.
+class Taken {
+public:
+    explicit Taken(std::size_t bytes)
+        : m_bytes(bytes),
+          m_pages(mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {
+        if (m_pages == MAP_FAILED)
+            throw std::bad_alloc();
+        std::memset(m_pages, 1, m_bytes);
+    }
+    ~Taken() { munmap(m_pages, m_bytes); }
+    Taken(const Taken&) = delete;
+    Taken& operator=(const Taken&) = delete;
+
+private:
+    std::size_t m_bytes;
+    void* m_pages;
+};
+
+constexpr std::size_t kMuch = 64'000'000;
+
 /// From now on the process takes more than what it may.
-[[nodiscard]] std::vector<char> useUp(Simulation& simulation) {
-    constexpr std::size_t kBytes = 64'000'000; // more than malloc keeps of what was freed
+[[nodiscard]] Taken useUp(Simulation& simulation) {
     simulation.allowMemory(0);
-    return std::vector<char>(kBytes, 1);
+    return Taken(kMuch);
 }
 
 bool hasFinding(const Frame& frame) {
@@ -62,7 +85,7 @@ TEST(SurfaceMemory, IsKeptIfOtherWorkOfTheProcessTakesTheMemory) {
     const auto enough = static_cast<std::size_t>(0.9 * memoryForecast(*setup, grid, {}, true).most);
     auto simulation = Simulation::prepare(program, setup, {}).value();
     simulation->allowMemory(enough);
-    const std::vector<char> ofAnExport(enough + 64'000'000, 1);
+    const Taken ofAnExport(enough + kMuch);
     simulation->seek(20);
     simulation->play(kBlocks);
     EXPECT_TRUE(simulation->settled());
@@ -86,7 +109,7 @@ TEST(SurfaceMemory, IsGivenUpForTheTrianglesOfItsOwn) {
         const auto most =
             static_cast<std::size_t>(scheduledBytes(grid, {}, simulationOutputs(*setup, true), counted));
         simulation->allowMemory(most);
-        const std::vector<char> ofAnExport(most + 64'000'000, 1);
+        const Taken ofAnExport(most + kMuch);
         simulation->seek(60);
         EXPECT_EQ(hasFinding(simulation->frame()), isGivenUp) << counted << " of " << faces;
     }
