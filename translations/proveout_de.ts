@@ -9031,6 +9031,14 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>FindBar</name>
     <message>
+        <source>Replacing…</source>
+        <translation>Ersetzen läuft …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
         <source>Find</source>
         <translation>Suchen</translation>
     </message>

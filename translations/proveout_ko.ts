@@ -9031,6 +9031,14 @@ Default: 0 mm</source>
 <context>
     <name>FindBar</name>
     <message>
+        <source>Replacing…</source>
+        <translation>바꾸는 중…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
         <source>Find</source>
         <translation>찾기</translation>
     </message>

@@ -6,12 +6,48 @@
 #include <string_view>
 
 #include "ui/editor/nc_editor.h"
+#include "ui/editor/text_edits.h"
 
 namespace proveout {
 
 namespace {
 constexpr int kRestMs = 120;
+/// Replaced at once: a few milliseconds.
+constexpr std::size_t kPart = std::size_t{1} << 18; // bytes
+
+/// Makes one undo step of all edits while it exists; the text is not painted meanwhile.
+class OneUndoStep {
+public:
+    explicit OneUndoStep(NcEditor& editor) : m_editor(editor) {
+        m_editor.setUpdatesEnabled(false);
+        m_editor.beginUndoAction();
+    }
+    OneUndoStep(const OneUndoStep&) = delete;
+    OneUndoStep& operator=(const OneUndoStep&) = delete;
+    ~OneUndoStep() {
+        m_editor.endUndoAction();
+        if (m_reverts)
+            m_editor.undo();
+        m_editor.setUpdatesEnabled(true);
+    }
+    /// Undoes it at its end.
+    void revert() { m_reverts = true; }
+
+private:
+    NcEditor& m_editor;
+    bool m_reverts = false;
+};
+
+/// The start of the line after that of a position, or the end of the text.
+std::size_t lineStartAfter(const NcEditor& editor, std::size_t position) {
+    const long line = editor.SendScintilla(QsciScintilla::SCI_LINEFROMPOSITION,
+                                           static_cast<unsigned long>(std::min(position, sizeOf(editor))));
+    const long next =
+        editor.SendScintilla(QsciScintilla::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line + 1));
+    return next < 0 ? sizeOf(editor) : static_cast<std::size_t>(next);
 }
+
+} // namespace
 
 EditorSearch::EditorSearch(NcEditor& editor, QObject* parent)
     : QObject(parent), m_editor(editor), m_counter([&editor] { return editor.textBytes(); }, this) {
@@ -80,23 +116,44 @@ void EditorSearch::replaceSelected(const QString& replacement) {
     m_editor.selectBytes(begin + instead.size(), begin + instead.size());
 }
 
-int EditorSearch::replaceAll(const QString& replacement) {
-    const TextPattern wanted = pattern();
-    const std::string_view text = m_editor.textBytes();
+/// As one edit: otherwise the session would be notified of each match.
+int EditorSearch::replacePart(std::size_t begin, std::size_t& end, const TextPattern& wanted,
+                              const std::string& instead) {
+    const std::string_view text = bytesOf(m_editor, begin, end);
     const auto first = findForward(text, wanted, 0);
-    if (!first || m_editor.isReadOnly())
+    if (!first)
         return 0;
-    // As one edit: otherwise the session would be notified of thousands of single edits.
-    const std::string instead = m_editor.encoded(replacement);
     std::string changed;
     int count = 0;
-    std::size_t end = *first;
-    for (auto match = first; match; match = findForward(text, wanted, end)) {
-        changed.append(text, end, *match - end).append(instead);
-        end = *match + wanted.bytes.size();
+    std::size_t done = *first;
+    for (auto match = first; match; match = findForward(text, wanted, done)) {
+        changed.append(text, done, *match - done).append(instead);
+        done = *match + wanted.bytes.size();
         ++count;
     }
-    m_editor.replaceBytes(*first, end, changed);
+    m_editor.replaceBytes(begin + *first, begin + done, changed);
+    end = end - (done - *first) + changed.size();
+    return count;
+}
+
+int EditorSearch::replaceAll(const QString& replacement, const Proceed& proceed) {
+    const TextPattern wanted = pattern();
+    if (m_editor.isReadOnly() || wanted.bytes.empty())
+        return 0;
+    const std::string instead = m_editor.encoded(replacement);
+    OneUndoStep step(m_editor);
+    int count = 0;
+    for (std::size_t at = 0; at < sizeOf(m_editor);) {
+        // A part ends with a line, so no match continues in the next one.
+        std::size_t end = lineStartAfter(m_editor, at + kPart);
+        count += replacePart(at, end, wanted, instead);
+        at = end;
+        const std::size_t size = sizeOf(m_editor);
+        if (at < size && proceed && !proceed(static_cast<double>(at) / static_cast<double>(size))) {
+            step.revert();
+            return 0;
+        }
+    }
     return count;
 }
 

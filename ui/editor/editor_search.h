@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <string>
 
 #include <QObject>
 #include <QString>
@@ -41,8 +43,11 @@ public:
     bool find(bool forward);
     /// Replaces the selection if it is a match.
     void replaceSelected(const QString& replacement);
-    /// Replaces all matches as one undo step; returns their number.
-    int replaceAll(const QString& replacement);
+    /// Called between two parts of a long text, with the part that is done, in [0, 1]; it may handle events
+    /// that do not change the text. False: stop.
+    using Proceed = std::function<bool(double done)>;
+    /// Replaces all matches as one undo step; returns their number. If it is stopped, nothing is replaced.
+    int replaceAll(const QString& replacement, const Proceed& proceed = {});
 
 signals:
     void tallied();
@@ -50,6 +55,9 @@ signals:
 private:
     [[nodiscard]] TextPattern pattern() const;
     void recount();
+    /// Replaces the matches in the lines [begin, end); returns their number, and moves `end` with the text.
+    int replacePart(std::size_t begin, std::size_t& end, const TextPattern& wanted,
+                    const std::string& instead);
 
     NcEditor& m_editor;
     QString m_text;

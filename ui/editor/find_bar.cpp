@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QProgressDialog>
 #include <QStyle>
 #include <QToolButton>
 
@@ -18,6 +19,8 @@
 namespace proveout {
 
 namespace {
+
+constexpr int kProgressSteps = 1000;
 
 QToolButton* button(QWidget* parent, Qt::ArrowType arrow = Qt::NoArrow) {
     auto* made = new QToolButton(parent);
@@ -115,7 +118,15 @@ void FindBar::replaceOne() {
 }
 
 void FindBar::replaceAll() {
-    report(tr("%n replaced.", nullptr, m_search->replaceAll(m_replacement->text())));
+    // Modal, because an edit or a save in between would meet a text of which a part is replaced.
+    QProgressDialog progress(tr("Replacing…"), tr("Cancel"), 0, kProgressSteps, window());
+    progress.setWindowModality(Qt::ApplicationModal);
+    progress.setMinimumDuration(0);
+    const int count = m_search->replaceAll(m_replacement->text(), [&progress](double done) {
+        progress.setValue(static_cast<int>(done * kProgressSteps)); // handles events
+        return !progress.wasCanceled();
+    });
+    report(tr("%n replaced.", nullptr, count));
 }
 
 void FindBar::report(const QString& note) {

@@ -11,6 +11,7 @@
 #include <QMimeData>
 #include <QScrollBar>
 
+#include "ui/editor/text_edits.h"
 #include "ui/look/theme.h"
 
 namespace proveout {
@@ -67,7 +68,8 @@ bool fill(ScintillaDocument& shown, const Document& document, const std::stop_to
 } // namespace
 
 NcEditor::NcEditor(QWidget* parent)
-    : QsciScintilla(parent), m_highlighter(this), m_problems(*this, kProblemMargin) {
+    : QsciScintilla(parent), m_edits(new TextEdits(*this)), m_highlighter(this),
+      m_problems(*this, kProblemMargin) {
     setLexer(&m_highlighter);
     setUpMargins();
     setWrapMode(WrapNone);
@@ -75,11 +77,7 @@ NcEditor::NcEditor(QWidget* parent)
     setScrollWidthTracking(true);
     setScrollWidth(1);
     SendScintilla(SCI_SETCARETLINEVISIBLEALWAYS, 1UL);
-    SendScintilla(SCI_SETMODEVENTMASK, static_cast<unsigned long>(SC_MOD_INSERTTEXT | SC_MOD_DELETETEXT));
-    connect(this, &QsciScintillaBase::SCN_MODIFIED, this,
-            [this](int position, int type, const char* text, int length, int linesAdded) {
-                onModified(position, type, text, length, linesAdded);
-            });
+    connect(m_edits, &TextEdits::made, this, &NcEditor::onEdit);
     connect(this, &QsciScintilla::modificationChanged, this, [this](bool modified) {
         if (!m_loading)
             emit savedStateChanged(modified);
@@ -158,6 +156,7 @@ void NcEditor::showBreakpoints(const std::vector<int>& on, const std::vector<int
 }
 
 void NcEditor::load(const Document& document) {
+    m_edits->flush();
     m_place.reset();
     m_filling.cancel();
     auto before = std::exchange(m_document, nullptr); // freeing it here would block the window
@@ -211,24 +210,21 @@ void NcEditor::markSaved() {
     SendScintilla(SCI_SETSAVEPOINT);
 }
 
-void NcEditor::onModified(int position, int type, const char* text, int length, int linesAdded) {
+void NcEditor::onEdit(const TextEdit& edit) {
     m_values.reset();
     leaveWord();
     if (m_loading)
         return;
     m_edited = true;
     emit worked();
-    const auto offset = static_cast<std::size_t>(position);
-    const auto size = static_cast<std::size_t>(length);
-    if (linesAdded != 0) {
-        const long line = SendScintilla(SCI_LINEFROMPOSITION, static_cast<unsigned long>(position));
+    if (edit.linesAdded != 0) {
+        const long line = SendScintilla(SCI_LINEFROMPOSITION, asWord(edit.offset));
         const long start = SendScintilla(SCI_POSITIONFROMLINE, static_cast<unsigned long>(line));
-        emit linesMoved(static_cast<std::uint32_t>(line) + 1, start == position, linesAdded);
+        emit linesMoved(static_cast<std::uint32_t>(line) + 1, static_cast<std::size_t>(start) == edit.offset,
+                        edit.linesAdded);
     }
-    if ((type & SC_MOD_INSERTTEXT) != 0)
-        emit edited(offset, 0, std::string_view(text, size));
-    else if ((type & SC_MOD_DELETETEXT) != 0)
-        emit edited(offset, size, {});
+    emit edited(edit.offset, edit.removed, edit.inserted);
+    emit textChanged();
 }
 
 void NcEditor::showCurrentLine(int line, bool follow) {
@@ -306,6 +302,7 @@ void NcEditor::replaceBytes(std::size_t begin, std::size_t end, std::string_view
     SendScintilla(SCI_SETTARGETRANGE, asWord(begin), static_cast<long>(end));
     SendScintilla(SCI_REPLACETARGET, asWord(text.size()), text.data());
     endUndoAction();
+    m_edits->flush();
     SendScintilla(SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(seen));
 }
 
@@ -335,6 +332,7 @@ void NcEditor::keyPressEvent(QKeyEvent* event) {
     const int before = caretLine();
     m_edited = false;
     QsciScintilla::keyPressEvent(event);
+    m_edits->flush();
     if (!m_edited && caretLine() != before)
         emit lineChosen(caretLine());
 }

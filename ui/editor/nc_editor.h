@@ -23,6 +23,9 @@
 
 namespace proveout {
 
+class TextEdits;
+struct TextEdit;
+
 /// The text of an NC program as bytes, with line numbers, the current block and its problems. Playback moves
 /// a marker and scrolls the text, but never moves the cursor.
 class NcEditor final : public QsciScintilla {
@@ -99,7 +102,7 @@ private:
                       bool readOnly);
     void setUpMargins();
     void adoptPalette();
-    void onModified(int position, int type, const char* text, int length, int linesAdded);
+    void onEdit(const TextEdit& edit);
     bool showTip(QPoint place, QPoint globalPlace);
     /// The word under the mouse.
     struct PointedWord {
@@ -117,6 +120,7 @@ private:
     void leaveWord();
     void revealLine(int line);
 
+    TextEdits* m_edits;
     NcHighlighter m_highlighter;
     ProblemMarks m_problems;
     std::shared_ptr<const ScintillaDocument> m_document; ///< in the view; null before the first one

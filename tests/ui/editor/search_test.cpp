@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <ctime>
 #include <random>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QCheckBox>
@@ -159,6 +161,50 @@ private slots:
         search.setPattern(QStringLiteral("X1"), true);
         QCOMPARE(search.replaceAll(QString()), 2);
         QCOMPARE(editor.text(), QStringLiteral("\n\nX2 X12\n"));
+    }
+
+    void aLongTextIsReplacedInParts() {
+        std::mt19937 random(3); // the seed
+        std::string text;
+        while (text.size() < 1'500'000)
+            for (std::size_t word = random() % 12, end = word + 1; word < end; ++word)
+                text += std::array{"X1", "X1 ", "x1",   "X11",    "1X1", " ",
+                                   "Y",  "\n",  "X1\n", "(X1X1)", "\n",  "Z"}[word];
+        for (const bool wholeWords : {false, true})
+            for (const QString& replacement : {QStringLiteral("X1X"), QString()}) {
+                const TextPattern pattern{"X1", wholeWords};
+                const std::string instead = replacement.toStdString();
+                std::string expected;
+                std::size_t done = 0;
+                int matches = 0;
+                for (auto at = findForward(text, pattern, 0); at; at = findForward(text, pattern, done)) {
+                    expected.append(text, done, *at - done).append(instead);
+                    done = *at + 2;
+                    ++matches;
+                }
+                expected.append(text, done);
+
+                NcEditor editor;
+                editor.load(documentOf(text));
+                QTRY_VERIFY(!editor.isFilling());
+                EditorSearch search(editor, nullptr);
+                search.setPattern(QStringLiteral("X1"), wholeWords);
+                double last = 0;
+                int parts = 1;
+                const auto proceed = [&](double share) {
+                    ++parts;
+                    return share > std::exchange(last, share) && share < 1;
+                };
+                QCOMPARE(search.replaceAll(replacement, proceed), matches);
+                QVERIFY(parts > 4);
+                QVERIFY(editor.textBytes() == expected);
+                editor.undo(); // a single step
+                QVERIFY(editor.textBytes() == text);
+                // Stopped in the middle, nothing is replaced.
+                parts = 0;
+                QCOMPARE(search.replaceAll(replacement, [&](double) { return ++parts < 3; }), 0);
+                QVERIFY(editor.textBytes() == text);
+            }
     }
 
     void searchesLatin1AsBytes() {

@@ -147,7 +147,11 @@ bool jumpToAndFro(Workstation& station, int seconds) {
 bool replaceAll(Workstation& station) {
     EditorSearch search(station.window.editor().editor(), &station.window);
     search.setPattern(QStringLiteral("Y"), false);
-    return search.replaceAll(QStringLiteral("y")) > 0 && reached([&] { return isOpen(station); });
+    const auto proceed = [](double) {
+        QCoreApplication::processEvents(); // as the progress dialog of the find bar does
+        return true;
+    };
+    return search.replaceAll(QStringLiteral("y"), proceed) > 0 && reached([&] { return isOpen(station); });
 }
 
 bool save(Workstation& station) {
