@@ -10080,8 +10080,12 @@ Vorgabe: 0 mm</translation>
         <translation>Regeln der Prüfung</translation>
     </message>
     <message>
-        <source>The job file keeps these settings. Limits of single tools are in the tool table, those of the machine in its values.</source>
-        <translation>Die Auftragsdatei behält diese Einstellungen. Grenzen einzelner Werkzeuge stehen in der Werkzeugtabelle, die der Maschine in ihren Werten.</translation>
+        <source>The job file keeps these settings. How deep, wide and fast a tool may cut is in the tool table; the limits of the machine are in its values.</source>
+        <translation>Die Auftragsdatei speichert diese Einstellungen. Wie tief, breit und schnell ein Werkzeug schneiden darf, steht in der Werkzeugtabelle; die Grenzwerte der Maschine stehen bei deren Werten.</translation>
+    </message>
+    <message>
+        <source>Other limits for single tools</source>
+        <translation>Andere Grenzwerte für einzelne Werkzeuge</translation>
     </message>
 </context>
 <context>
@@ -10819,6 +10823,29 @@ Vorgabe: %3</translation>
     <message>
         <source>Example: %1</source>
         <translation>Beispiel: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ToolLimitsEditor</name>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenzwert</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove this limit</source>
+        <translation>Diesen Grenzwert entfernen</translation>
     </message>
 </context>
 <context>

@@ -10079,8 +10079,12 @@ Default: 0 mm</source>
         <translation>검사 규칙</translation>
     </message>
     <message>
-        <source>The job file keeps these settings. Limits of single tools are in the tool table, those of the machine in its values.</source>
-        <translation>이 설정은 작업 파일에 저장됩니다. 공구별 한계값은 공구 표에, 기계의 한계값은 기계 값에 있습니다.</translation>
+        <source>The job file keeps these settings. How deep, wide and fast a tool may cut is in the tool table; the limits of the machine are in its values.</source>
+        <translation>작업 파일이 이 설정을 저장합니다. 공구가 얼마나 깊고 넓고 빠르게 절삭해도 되는지는 공구 테이블에 있고, 기계의 한계는 기계 값에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Other limits for single tools</source>
+        <translation>개별 공구의 다른 한계</translation>
     </message>
 </context>
 <context>
@@ -10818,6 +10822,29 @@ Default: %3</source>
     <message>
         <source>Example: %1</source>
         <translation>예: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ToolLimitsEditor</name>
+    <message>
+        <source>Tool</source>
+        <translation>공구</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>규칙</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>한계</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>추가</translation>
+    </message>
+    <message>
+        <source>Remove this limit</source>
+        <translation>이 한계 제거</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@
 #include "core/simulation/run/cutting_findings.h"
 #include "core/verification/findings/findings.h"
 #include "core/verification/findings/rule_findings.h"
+#include "ui/findings/tool_limits_editor.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/look/field_text.h"
 #include "ui/look/number_box.h"
@@ -33,7 +34,8 @@ constexpr int kBoxWidth = 124;
 } // namespace
 
 RulesDialog::RulesDialog(CheckRules rules, QWidget* parent)
-    : QDialog(parent), m_rules(std::move(rules)), m_list(new QListWidget(this)) {
+    : QDialog(parent), m_rules(std::move(rules)), m_list(new QListWidget(this)),
+      m_ofTools(new ToolLimitsEditor(this)) {
     setWindowTitle(tr("Rules of the Check"));
     m_list->setObjectName(QStringLiteral("rules"));
     m_list->setMinimumWidth(kListWidth);
@@ -50,13 +52,14 @@ RulesDialog::RulesDialog(CheckRules rules, QWidget* parent)
         m_boxes.push_back(box);
     });
     auto* where = wrappedLabel(this);
-    where->setText(
-        tr("The job file keeps these settings. Limits of single tools are in the tool table, those of the "
-           "machine in its values."));
+    where->setText(tr(
+        "The job file keeps these settings. How deep, wide and fast a tool may cut is in the tool table; the "
+        "limits of the machine are in its values."));
     auto* right = new QVBoxLayout;
     right->addLayout(limits);
+    right->addWidget(new QLabel(tr("Other limits for single tools"), this));
+    right->addWidget(m_ofTools, 1);
     right->addWidget(where);
-    right->addStretch();
     auto* columns = new QHBoxLayout;
     columns->addWidget(m_list, 1);
     columns->addLayout(right);
@@ -100,6 +103,7 @@ void RulesDialog::show(const CheckRules& rules) {
     for (const FindingRow* row : rule_finding::kRuleRows)
         addRule(row);
     RuleLimits limits = rules.limits;
+    m_ofTools->show(rules.limitsOfTools);
     std::size_t row = 0;
     describe(limits, [&](double& value, const Field&) { m_boxes[row++]->showValue(value); });
 }
@@ -121,6 +125,7 @@ CheckRules RulesDialog::rules() const {
         else
             rules.off.insert({id, {}}); // a reason stays
     }
+    rules.limitsOfTools = m_ofTools->limits();
     std::size_t row = 0;
     describe(rules.limits, [&](double& value, const Field&) { readShown(value, *m_boxes[row++]); });
     return rules;

@@ -12,6 +12,7 @@ class QListWidget;
 namespace proveout {
 
 class NumberBox;
+class ToolLimitsEditor;
 
 /// The rules by which a program is judged: which of them are on, and their limits. Edits a copy.
 class RulesDialog final : public QDialog {
@@ -31,6 +32,7 @@ private:
     CheckRules m_rules;
     QListWidget* m_list;
     std::vector<NumberBox*> m_boxes; ///< of the limits, same order as the fields
+    ToolLimitsEditor* m_ofTools;
 };
 
 } // namespace proveout

@@ -118,7 +118,8 @@ private:
         for (const auto& [id, reason] : m_rules.off)
             addUnknown(id);
         for (const auto& [name, value] : m_rules.limitsOfTools)
-            addUnknown(name);
+            if (const auto limit = parseLimitOfTool(name); !limit || !isJudgedBy(*limit))
+                add(Diagnostics{diagnosticOf(check_finding::kRuleSettingUnknown, {name})});
         for (const auto& [id, reason] : m_rules.accepted)
             if (!isOpen(id))
                 add(Diagnostics{diagnosticOf(check_finding::kRuleSettingUnknown, {id})});

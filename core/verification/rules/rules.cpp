@@ -54,12 +54,12 @@ constexpr std::array kRules{
     Rule{kOfDrill, "mm", judgeSidewaysDrill, needForSidewaysDrill},
     Rule{kOfRemoval, "%", judgeRemoval, needForRemoval},
     Rule{kOfUnits, "", judgeUnits},
-    Rule{kOfRoom, "mm", judgeRoomBelow},
+    Rule{kOfRoom, "mm", judgeRoomBelow, nullptr, "belowStock"},
     Rule{kOfFixtures, "mm", judgeFixtures},
-    Rule{kOfFixtureClearance, "mm", judgeFixtureClearance},
+    Rule{kOfFixtureClearance, "mm", judgeFixtureClearance, nullptr, "fixtureClearance"},
     Rule{kOfPieces, "mm³", judgeLoosePieces},
-    Rule{kOfAir, "s", judgeAirCutting, needForAirCutting},
-    Rule{kOfClearance, "mm", judgeClearance},
+    Rule{kOfAir, "s", judgeAirCutting, needForAirCutting, "airSeconds"},
+    Rule{kOfClearance, "mm", judgeClearance, nullptr, "rapidClearance"},
     Rule{kOfDepth, "mm", judgeDepth, needForDepth},
     Rule{kOfEngagement, "mm", judgeEngagement, needForEngagement},
     Rule{kOfJumps, "mm", judgeEngagementJumps, needForEngagement},
@@ -71,12 +71,12 @@ constexpr std::array kRules{
     Rule{kOfToolSpindle, "rpm", judgeToolSpindle, needForToolSpindle},
     Rule{kOfSpindle, "rpm", judgeSpindleLimit},
     Rule{kOfRamps, "°", judgeRamps, needForRamps},
-    Rule{kOfTapFeed, "mm/min", judgeTapFeed, needForTaps},
+    Rule{kOfTapFeed, "mm/min", judgeTapFeed, needForTaps, "tapFeedError"},
     Rule{kOfTapOut, "mm", judgeTapOut, needForTaps},
     Rule{kOfTravel, "mm", judgeTravel},
     Rule{kOfToolChange, "mm", judgeToolChanges},
-    Rule{kOfHolderNear, "mm", judgeHolderClearance},
-    Rule{kOfShankNear, "mm", judgeShankClearance},
+    Rule{kOfHolderNear, "mm", judgeHolderClearance, nullptr, "holderClearance"},
+    Rule{kOfShankNear, "mm", judgeShankClearance, nullptr, "holderClearance"},
 };
 
 } // namespace
@@ -117,6 +117,12 @@ void RuleFindings::add(const FindingRow& row, double value, double limit, std::o
 
 std::span<const Rule> rules() {
     return kRules;
+}
+
+bool isJudgedBy(const LimitOfTool& limit) {
+    return std::ranges::any_of(kRules, [&](const Rule& rule) {
+        return rule.limit != nullptr && limit.rule == rule.id() && limit.key == rule.limit;
+    });
 }
 
 const char* unitOf(const FindingRow& row) {

@@ -63,11 +63,15 @@ struct Rule {
     /// Adds the blocks whose records it needs and has not; called before the run, and again after it until
     /// there are none. Null: it needs no records.
     void (*need)(const CheckedRun& run, const RuleLimits& limits, BlockSet& out) = nullptr;
+    /// The key of the limit (RuleLimits) by which it judges the blocks of a tool; null: there is none.
+    const char* limit = nullptr;
 
     [[nodiscard]] const char* id() const { return rows.front()->id; }
 };
 
 [[nodiscard]] std::span<const Rule> rules();
+/// Whether a limit of one tool has a rule that judges by it.
+[[nodiscard]] bool isJudgedBy(const LimitOfTool& limit);
 /// The unit of the values of a finding; empty if it is not of a rule.
 [[nodiscard]] const char* unitOf(const FindingRow& row);
 

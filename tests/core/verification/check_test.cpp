@@ -224,6 +224,12 @@ TEST(Check, AToolHasLimitsOfItsOwn) {
               Tools{});
     EXPECT_EQ(tools({.belowStock = 9}, {{"table-collision:T2.belowStock", 4.5}}), Tools{2});
     EXPECT_EQ(tools({}, {{"rapid-cuts:T1.belowStock", 9}}), (Tools{1, 2})) << "of another rule";
+    const auto report =
+        check(subject, {.accepted = kAll, .limitsOfTools = {{"rapid-cuts:T1.belowStock", 9}}}, kAnyMemory)
+            .value();
+    EXPECT_TRUE(std::ranges::any_of(report->findings, [](const CheckFinding& one) {
+        return one.diagnostic.id == std::string("rule-setting-unknown");
+    }));
 }
 
 TEST(Check, AClearanceOfOneToolAloneIsJudged) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/findings/problems_panel.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,9 +16,12 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeView>
 
 #include "tests/ui/opened.h"
@@ -344,7 +350,8 @@ private slots:
             .limits = {.rapidClearance = 2},
             .off = {{"full-slot:T3", "trochoidal"}, {"air-cutting", "known"}, {"of-later", ""}},
             .accepted = {{"probing", "by hand"}},
-            .waivers = {{.finding = "rapid-cuts", .reason = "a", .owner = "b"}}};
+            .waivers = {{.finding = "rapid-cuts", .reason = "a", .owner = "b"}},
+            .limitsOfTools = {{"table-collision:T3.belowStock", 4.00001}, {"of-later:T1.airSeconds", 3}}};
         const RulesDialog dialog(rules, nullptr);
         QCOMPARE(dialog.rules(), rules);
         auto& list = *dialog.findChild<QListWidget*>(QStringLiteral("rules"));
@@ -357,7 +364,27 @@ private slots:
         dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
         expected.off.clear();
         expected.limits = {};
+        expected.limitsOfTools.clear();
         QCOMPARE(dialog.rules(), expected);
+    }
+
+    void theRulesDialogEditsLimitsOfSingleTools() {
+        const RulesDialog dialog({.limitsOfTools = {{"air-cutting:T2.airSeconds", 5}}}, nullptr);
+        auto& table = *dialog.findChild<QTableWidget*>(QStringLiteral("tool-limits"));
+        QCOMPARE(table.rowCount(), 1);
+        dialog.findChild<QPushButton*>(QStringLiteral("tool-limit-add"))->click();
+        QCOMPARE(table.rowCount(), 2);
+        qobject_cast<QSpinBox*>(table.cellWidget(1, 0))->setValue(7);
+        auto& rule = *qobject_cast<QComboBox*>(table.cellWidget(1, 1));
+        rule.setCurrentIndex(rule.findData(QStringLiteral("tap-feed")));
+        auto& limit = *qobject_cast<QDoubleSpinBox*>(table.cellWidget(1, 2));
+        QCOMPARE(limit.value(), RuleLimits().tapFeedError);
+        limit.setValue(2.5);
+        using Limits = std::map<std::string, double>;
+        QCOMPARE(dialog.rules().limitsOfTools,
+                 (Limits{{"air-cutting:T2.airSeconds", 5}, {"tap-feed:T7.tapFeedError", 2.5}}));
+        qobject_cast<QToolButton*>(table.cellWidget(0, 3))->click();
+        QCOMPARE(dialog.rules().limitsOfTools, (Limits{{"tap-feed:T7.tapFeedError", 2.5}}));
     }
 
     void aProgramThatIsStillReadIsNotFound() {
