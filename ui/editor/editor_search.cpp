@@ -18,23 +18,32 @@ constexpr std::size_t kPart = std::size_t{1} << 18; // bytes
 /// Makes one undo step of all edits while it exists; the text is not painted meanwhile.
 class OneUndoStep {
 public:
-    explicit OneUndoStep(NcEditor& editor) : m_editor(editor) {
+    explicit OneUndoStep(NcEditor& editor)
+        : m_editor(editor),
+          m_loaded(QObject::connect(&editor, &NcEditor::loaded, [this] { m_isOther = true; })) {
         m_editor.setUpdatesEnabled(false);
         m_editor.beginUndoAction();
     }
     OneUndoStep(const OneUndoStep&) = delete;
     OneUndoStep& operator=(const OneUndoStep&) = delete;
     ~OneUndoStep() {
-        m_editor.endUndoAction();
-        if (m_reverts)
-            m_editor.undo();
+        QObject::disconnect(m_loaded);
+        if (!m_isOther) {
+            m_editor.endUndoAction();
+            if (m_reverts)
+                m_editor.undo();
+        }
         m_editor.setUpdatesEnabled(true);
     }
-    /// Undoes it at its end.
+    /// Undoes it at its end. Only if there was an edit: otherwise that would be the step before.
     void revert() { m_reverts = true; }
+    /// Whether another text is shown now, so that the step is gone.
+    [[nodiscard]] bool isGone() const { return m_isOther; }
 
 private:
     NcEditor& m_editor;
+    QMetaObject::Connection m_loaded;
+    bool m_isOther = false;
     bool m_reverts = false;
 };
 
@@ -149,8 +158,13 @@ int EditorSearch::replaceAll(const QString& replacement, const Proceed& proceed)
         count += replacePart(at, end, wanted, instead);
         at = end;
         const std::size_t size = sizeOf(m_editor);
-        if (at < size && proceed && !proceed(static_cast<double>(at) / static_cast<double>(size))) {
-            step.revert();
+        const bool isWanted =
+            at >= size || !proceed || proceed(static_cast<double>(at) / static_cast<double>(size));
+        if (step.isGone())
+            return 0;
+        if (!isWanted) {
+            if (count > 0)
+                step.revert();
             return 0;
         }
     }

@@ -11,7 +11,6 @@
 #include <QMimeData>
 #include <QScrollBar>
 
-#include "ui/editor/text_edits.h"
 #include "ui/look/theme.h"
 
 namespace proveout {
@@ -68,8 +67,7 @@ bool fill(ScintillaDocument& shown, const Document& document, const std::stop_to
 } // namespace
 
 NcEditor::NcEditor(QWidget* parent)
-    : QsciScintilla(parent), m_edits(new TextEdits(*this)), m_highlighter(this),
-      m_problems(*this, kProblemMargin) {
+    : ObservedScintilla(parent), m_highlighter(this), m_problems(*this, kProblemMargin) {
     setLexer(&m_highlighter);
     setUpMargins();
     setWrapMode(WrapNone);
@@ -77,7 +75,7 @@ NcEditor::NcEditor(QWidget* parent)
     setScrollWidthTracking(true);
     setScrollWidth(1);
     SendScintilla(SCI_SETCARETLINEVISIBLEALWAYS, 1UL);
-    connect(m_edits, &TextEdits::made, this, &NcEditor::onEdit);
+    connect(&edits(), &TextEdits::made, this, &NcEditor::onEdit);
     connect(this, &QsciScintilla::modificationChanged, this, [this](bool modified) {
         if (!m_loading)
             emit savedStateChanged(modified);
@@ -156,7 +154,7 @@ void NcEditor::showBreakpoints(const std::vector<int>& on, const std::vector<int
 }
 
 void NcEditor::load(const Document& document) {
-    m_edits->flush();
+    edits().discard();
     m_place.reset();
     m_filling.cancel();
     auto before = std::exchange(m_document, nullptr); // freeing it here would block the window
@@ -302,7 +300,7 @@ void NcEditor::replaceBytes(std::size_t begin, std::size_t end, std::string_view
     SendScintilla(SCI_SETTARGETRANGE, asWord(begin), static_cast<long>(end));
     SendScintilla(SCI_REPLACETARGET, asWord(text.size()), text.data());
     endUndoAction();
-    m_edits->flush();
+    edits().flush();
     SendScintilla(SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(seen));
 }
 
@@ -311,7 +309,7 @@ bool NcEditor::event(QEvent* event) {
         const auto* help = static_cast<QHelpEvent*>(event);
         return showTip(viewport()->mapFrom(this, help->pos()), help->globalPos());
     }
-    return QsciScintilla::event(event);
+    return ObservedScintilla::event(event);
 }
 
 void NcEditor::mousePressEvent(QMouseEvent* event) {
@@ -332,7 +330,7 @@ void NcEditor::keyPressEvent(QKeyEvent* event) {
     const int before = caretLine();
     m_edited = false;
     QsciScintilla::keyPressEvent(event);
-    m_edits->flush();
+    edits().flush();
     if (!m_edited && caretLine() != before)
         emit lineChosen(caretLine());
 }

@@ -19,16 +19,14 @@
 #include "ui/editor/nc_highlighter.h"
 #include "ui/editor/problem_marks.h"
 #include "ui/editor/scintilla_document.h"
+#include "ui/editor/text_edits.h"
 #include "ui/work/newest_task.h"
 
 namespace proveout {
 
-class TextEdits;
-struct TextEdit;
-
 /// The text of an NC program as bytes, with line numbers, the current block and its problems. Playback moves
 /// a marker and scrolls the text, but never moves the cursor.
-class NcEditor final : public QsciScintilla {
+class NcEditor final : public ObservedScintilla {
     Q_OBJECT
 
 public:
@@ -120,7 +118,6 @@ private:
     void leaveWord();
     void revealLine(int line);
 
-    TextEdits* m_edits;
     NcHighlighter m_highlighter;
     ProblemMarks m_problems;
     std::shared_ptr<const ScintillaDocument> m_document; ///< in the view; null before the first one

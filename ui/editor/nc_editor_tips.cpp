@@ -92,7 +92,7 @@ std::optional<NcEditor::PointedWord> NcEditor::wordAt(QPoint place) const {
 bool NcEditor::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::Leave)
         leaveWord();
-    return QsciScintilla::viewportEvent(event);
+    return ObservedScintilla::viewportEvent(event);
 }
 
 } // namespace proveout

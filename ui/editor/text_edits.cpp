@@ -60,8 +60,11 @@ void TextEdits::begin(int position, int type, int length) {
     flush();
     const bool isInserted = (type & QsciScintillaBase::SC_MOD_BEFOREINSERT) != 0;
     const auto size = static_cast<std::size_t>(length);
-    m_begun =
-        Begun{static_cast<std::size_t>(position), isInserted ? 0 : size, isInserted ? size : 0, lines()};
+    m_begun = Begun{.offset = static_cast<std::size_t>(position),
+                    .removed = isInserted ? 0 : size,
+                    .inserted = isInserted ? size : 0,
+                    .sizeBefore = sizeOf(m_view),
+                    .linesBefore = lines()};
     if (!m_isQueued)
         QMetaObject::invokeMethod(
             this,
@@ -75,8 +78,8 @@ void TextEdits::begin(int position, int type, int length) {
 
 void TextEdits::flush() {
     const auto edit = std::exchange(m_begun, std::nullopt);
-    if (!edit)
-        return;
+    if (!edit || sizeOf(m_view) + edit->removed != edit->sizeBefore + edit->inserted)
+        return; // or it was not made, for lack of memory
     const std::string_view inserted = bytesOf(m_view, edit->offset, edit->offset + edit->inserted);
     emit made({edit->offset, edit->removed, inserted, lines() - edit->linesBefore});
 }

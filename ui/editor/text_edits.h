@@ -7,8 +7,7 @@
 
 #include <QAccessible>
 #include <QObject>
-
-class QsciScintillaBase;
+#include <Qsci/qsciscintilla.h>
 
 namespace proveout {
 
@@ -40,6 +39,8 @@ public:
 
     /// Tells of an edit that was made, if there is one.
     void flush();
+    /// Does not tell of it: another text will be shown.
+    void discard() { m_begun.reset(); }
 
 signals:
     /// The text is as it is after this edit.
@@ -55,12 +56,48 @@ private:
         std::size_t offset = 0;
         std::size_t removed = 0;
         std::size_t inserted = 0;
+        std::size_t sizeBefore = 0;
         std::ptrdiff_t linesBefore = 0;
     };
 
     QsciScintillaBase& m_view;
     std::optional<Begun> m_begun;
     bool m_isQueued = false; ///< flush() will be called
+};
+
+/// A Scintilla view whose edits are told before the event or the command returns that made them.
+class ObservedScintilla : public QsciScintilla {
+    Q_OBJECT
+
+public:
+    explicit ObservedScintilla(QWidget* parent) : QsciScintilla(parent) { m_edits = new TextEdits(*this); }
+
+    void undo() override { QsciScintilla::undo(), tell(); }
+    void redo() override { QsciScintilla::redo(), tell(); }
+    void cut() override { QsciScintilla::cut(), tell(); }
+    void paste() override { QsciScintilla::paste(), tell(); }
+    void removeSelectedText() override { QsciScintilla::removeSelectedText(), tell(); }
+
+protected:
+    bool event(QEvent* event) override {
+        const bool used = QsciScintilla::event(event);
+        tell();
+        return used;
+    }
+    bool viewportEvent(QEvent* event) override {
+        const bool used = QsciScintilla::viewportEvent(event);
+        tell();
+        return used;
+    }
+    [[nodiscard]] TextEdits& edits() const { return *m_edits; }
+
+private:
+    void tell() {
+        if (m_edits != nullptr)
+            m_edits->flush();
+    }
+
+    TextEdits* m_edits = nullptr; ///< set after the first events
 };
 
 } // namespace proveout

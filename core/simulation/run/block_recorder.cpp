@@ -83,9 +83,10 @@ public:
           m_near(m_zmap) {}
 
     bool record(PersistentArray<BlockStatistics>& rows, std::size_t first, const WorkContext& context) {
-        findTiles(first);
+        if (!findTiles(first, context))
+            return false;
         for (std::size_t next = first; next < m_blocks.end();) {
-            next = collect(next);
+            next = collect(next, context);
             if (context.stopped() || !m_cutter.cut(m_zmap, m_motions, m_records, context.stop))
                 return false;
             addUp();
@@ -97,24 +98,36 @@ public:
     }
 
 private:
-    void findTiles(std::size_t first) {
-        for (std::size_t block = first; block < m_blocks.end(); ++block)
+    bool findTiles(std::size_t first, const WorkContext& context) {
+        for (std::size_t block = first; block < m_blocks.end() && !context.stopped(); ++block)
             if (m_blocks.contains(block))
                 for (const CutterMotion& one : motionsOf(block, block + 1))
                     m_near.add(one);
         m_near.arrange();
+        return !context.stopped();
+    }
+
+    /// The end of the blocks that are looked at together from a block on: a cycle may have many motions.
+    [[nodiscard]] std::size_t endOfLook(std::size_t block) const {
+        const std::size_t first = m_program.blockMotions(block).first;
+        const std::size_t most = std::min(block + kBlocksOfLook, m_blocks.end());
+        std::size_t end = block + 1;
+        while (end < most && m_program.blockMotions(end).last - first <= kPortion)
+            ++end;
+        return end;
     }
 
     [[nodiscard]] std::vector<CutterMotion> motionsOf(std::size_t first, std::size_t last) const {
         return cutterMotions(m_program, first, last, m_setup, m_tools);
     }
 
-    /// Collects the motions of a portion that begins with a block; returns the block after it.
-    std::size_t collect(std::size_t block) {
+    /// Collects the motions of a portion that begins with a block; returns the block after it, or an earlier
+    /// one if it was stopped.
+    std::size_t collect(std::size_t block, const WorkContext& context) {
         m_motions.clear();
         m_sums.clear();
-        while (block < m_blocks.end() && m_motions.size() < kPortion) {
-            const std::size_t last = std::min(block + kBlocksOfLook, m_blocks.end());
+        while (block < m_blocks.end() && m_motions.size() < kPortion && !context.stopped()) {
+            const std::size_t last = endOfLook(block);
             for (CutterMotion& one : motionsOf(block, last)) {
                 one.recorded = m_blocks.contains(one.mark - 1);
                 if (one.recorded || m_near.isReachedBy(one))

@@ -159,7 +159,8 @@ private:
         if (!times)
             return {};
         const std::size_t cutBefore = simulation.effort().blocksCut;
-        simulation.keepRecordsOf(neededRecords(runOf(simulation, *times, simulation.zmap(), 0), m_rules));
+        simulation.keepRecordsOf(
+            neededRecords(runOf(simulation, *times, simulation.zmap(), 0), m_rules, m_context));
         simulation.seek(m_program.blockCount(), m_context.part(kTimed, kCut));
         if (!m_context.stopped())
             judgeRun(simulation, *times);
@@ -185,8 +186,8 @@ private:
         addAboutSetup(frame.findings);
         addOfBlocks(simulation.findings());
         const CheckedRun run = runOf(simulation, times, frame.zmap, frame.removedMm3);
-        for (BlockSet missing = neededRecords(run, m_rules); !missing.empty();
-             missing = neededRecords(run, m_rules)) {
+        for (BlockSet missing = neededRecords(run, m_rules, m_context); !missing.empty();
+             missing = neededRecords(run, m_rules, m_context)) {
             if (!simulation.record(missing, m_context.part(kCut, kRecorded)))
                 return;
         }

@@ -21,11 +21,12 @@ bool isTap(const Cutter* cutter) {
 }
 
 void addMotion(FeedBlock& block, const Motion& motion) {
-    if (motion.kind == MotionKind::rapid || motion.probing || !motion.known())
+    if (motion.probing || !motion.known())
+        return;
+    block.lowest = std::min(block.lowest, bounds(motion).lo.z);
+    if (motion.kind == MotionKind::rapid)
         return;
     const double length = pathLength(motion);
-    const double lowest = bounds(motion).lo.z;
-    block.lowest = block.length > 0 ? std::min(block.lowest, lowest) : lowest;
     block.feed = std::max(block.feed, motion.feedMmPerMin);
     block.rpm = std::max(block.rpm, std::abs(motion.spindleRpm));
     block.length += length;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/verification/rules/checked_run.h"
 
@@ -15,13 +16,13 @@ struct FeedBlock {
     std::size_t block = 0;
     int tool = 0;
     const Cutter& cutter;
+    double lowest = std::numeric_limits<double>::infinity(); ///< z of the tip, rapids included
     // Of its motions at feed:
     double feed = 0;       ///< the largest, mm/min
     double rpm = 0;        ///< the largest, without sign
     double length = 0;     ///< mm
     double minutes = 0;    ///< at the programmed feed; 0 if a motion has none
     double steepest = 0;   ///< the largest angle below level, degrees
-    double lowest = 0;     ///< z of the tip
     bool sideways = false; ///< whether one of them moves in X or Y
 
     [[nodiscard]] const CuttingData& data() const { return cutter.data(); }
@@ -48,7 +49,7 @@ inline constexpr double kSideways = 0.01;
 /// Whether a cutter is a tap; null is not.
 [[nodiscard]] bool isTap(const Cutter* cutter);
 
-/// Adds what a motion at feed does.
+/// Adds a motion of the block.
 void addMotion(FeedBlock& block, const Motion& motion);
 
 /// Calls `visit` with each of the blocks that `isOne`, moves at feed, and has a tool whose data `concerns`,

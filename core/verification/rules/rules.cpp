@@ -161,9 +161,11 @@ std::vector<RuleFinding> judge(const CheckedRun& run, const CheckRules& by, cons
     return all;
 }
 
-BlockSet neededRecords(const CheckedRun& run, const CheckRules& by) {
+BlockSet neededRecords(const CheckedRun& run, const CheckRules& by, const WorkContext& context) {
     BlockSet needed;
     for (const Rule& rule : kRules) {
+        if (context.stopped())
+            return needed;
         if (rule.need == nullptr || by.off.contains(rule.id()))
             continue;
         rule.need(run, by.limits, needed);

@@ -82,7 +82,9 @@ struct Rule {
 
 /// The blocks whose records are missing for judge() and firstContacts(), as far as that is known now: once
 /// the run is done, with its records asked for again and again, none is missing in the end.
-[[nodiscard]] BlockSet neededRecords(const CheckedRun& run, const CheckRules& by);
+/// Stopped between two rules: some are not asked for.
+[[nodiscard]] BlockSet neededRecords(const CheckedRun& run, const CheckRules& by,
+                                     const WorkContext& context = {});
 
 /// The sentence of a finding, at the line of its first block.
 [[nodiscard]] Diagnostic diagnosticOf(const RuleFinding& finding, const Program& program);

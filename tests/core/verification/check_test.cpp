@@ -232,6 +232,27 @@ TEST(Check, AToolHasLimitsOfItsOwn) {
     }));
 }
 
+TEST(Check, ARapidOfACycleMayBeTheDeepest) {
+    // A cycle in G18 moves to its hole below it, long after the first contact.
+    std::string text = "G1 Z-1 F100\nG0 Z5\n";
+    for (int k = 0; k < 90; ++k)
+        text += fmt::format("G1 X{} Z5 F9000\n", k % 2);
+    text += "G0 X-10 Y20\nG0 Z-6\nG18 G99 G81 X15 Z-0.5 Y10 R25 F300\nG80\nG17\nM30\n";
+    auto subject = subjectOf(kHead + text);
+    subject.setup = setupWithTool(1, "flat:d=6,l=30,maxap=2");
+    const auto isDeep = [](const CheckFinding& one) {
+        return one.diagnostic.id == std::string("depth-limit");
+    };
+    const auto count = [&](const CheckRules& rules) {
+        return std::ranges::count_if(check(subject, rules, kAnyMemory).value()->findings, isDeep);
+    };
+    CheckRules rules{.off = {{"full-slot", ""}}, .accepted = kAll};
+    rules.limits.airSeconds = 0; // which needs all records
+    EXPECT_EQ(count(rules), 1);
+    rules.limits.airSeconds = 1000;
+    EXPECT_EQ(count(rules), 1);
+}
+
 TEST(Check, AClearanceOfOneToolAloneIsJudged) {
     auto subject = subjectOf(kHead + "G1 Z-2 F100\nG0 Z0.5\nX20\nM30\n");
     const auto found = [&](const std::string& name) {

@@ -85,6 +85,19 @@ private slots:
         }
     }
 
+    void anEditThatWasNotToldIsNotOneOfTheNextText() {
+        NcEditor editor;
+        editor.load(documentOf("G0\n"));
+        QSignalSpy edited(&editor, &NcEditor::edited);
+        editor.insert(QStringLiteral("X1 ")); // told when events are handled
+        editor.load(documentOf("G1\n"));
+        QCoreApplication::processEvents();
+        QCOMPARE(edited.count(), 0);
+        editor.insertAt(QStringLiteral("X1"), 0, 2);
+        editor.undo(); // tells of both
+        QCOMPARE(edited.count(), 2);
+    }
+
     void aLongTextIsFilledInTheBackground() {
         std::string bytes;
         for (int line = 0; bytes.size() < 3'000'000; ++line)

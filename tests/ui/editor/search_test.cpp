@@ -163,6 +163,35 @@ private slots:
         QCOMPARE(editor.text(), QStringLiteral("\n\nX2 X12\n"));
     }
 
+    void replacingThatIsStoppedUndoesNothingElse() {
+        const std::string text = std::string(900'000, '\n') + "X1\n";
+        NcEditor editor;
+        editor.load(documentOf(text));
+        QTRY_VERIFY(!editor.isFilling());
+        editor.replaceBytes(0, 0, "(mine)");
+        EditorSearch search(editor, nullptr);
+        search.setPattern(QStringLiteral("X1"), false);
+        QCOMPARE(search.replaceAll(QStringLiteral("X2"), [](double) { return false; }), 0);
+        QVERIFY(editor.textBytes() == "(mine)" + text);
+    }
+
+    void anotherTextEndsReplacing() {
+        NcEditor editor;
+        editor.load(documentOf(std::string(900'000, '\n') + "X1\n"));
+        QTRY_VERIFY(!editor.isFilling());
+        EditorSearch search(editor, nullptr);
+        search.setPattern(QStringLiteral("X1"), false);
+        const auto loadAnother = [&](double) {
+            editor.load(documentOf("X1\n"));
+            return true;
+        };
+        QCOMPARE(search.replaceAll(QStringLiteral("X2"), loadAnother), 0);
+        QCOMPARE(editor.text(), QStringLiteral("X1\n"));
+        editor.replaceBytes(0, 0, "G0 ");
+        editor.undo();
+        QCOMPARE(editor.text(), QStringLiteral("X1\n"));
+    }
+
     void aLongTextIsReplacedInParts() {
         std::mt19937 random(3); // the seed
         std::string text;
