@@ -103,10 +103,9 @@ bool isAtFeed(const CheckedRun& run, std::size_t block) {
     return anyAtFeed(run, block, [](const Motion&) { return true; });
 }
 
-/// Adds so many blocks of a stretch that one of them may be in air, and the part between its neighbours still
-/// does not take as long as the limit.
+/// Adds so many blocks of a stretch that the parts between them do not take as long as the limit.
 void addSamples(const CheckedRun& run, std::size_t first, std::size_t last, double limit, BlockSet& out) {
-    constexpr double kSamples = 2.5;
+    constexpr double kSamples = 1.1;
     double seconds = 0;
     for (std::size_t block = first; block < last; ++block) {
         seconds += run.times.movingSeconds(block);
