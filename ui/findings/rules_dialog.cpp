@@ -103,7 +103,7 @@ void RulesDialog::show(const CheckRules& rules) {
     for (const FindingRow* row : rule_finding::kRuleRows)
         addRule(row);
     RuleLimits limits = rules.limits;
-    m_ofTools->show(rules.limitsOfTools);
+    m_ofTools->showLimits(rules.limitsOfTools);
     std::size_t row = 0;
     describe(limits, [&](double& value, const Field&) { m_boxes[row++]->showValue(value); });
 }

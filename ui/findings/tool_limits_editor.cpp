@@ -78,7 +78,7 @@ ToolLimitsEditor::ToolLimitsEditor(QWidget* parent)
     m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + kRowsShown * row);
 }
 
-void ToolLimitsEditor::show(const std::map<std::string, double>& limits) {
+void ToolLimitsEditor::showLimits(const std::map<std::string, double>& limits) {
     m_table->setRowCount(0);
     m_others.clear();
     for (const auto& [name, value] : limits) {

@@ -17,7 +17,7 @@ class ToolLimitsEditor final : public QWidget {
 public:
     explicit ToolLimitsEditor(QWidget* parent);
 
-    void show(const std::map<std::string, double>& limits);
+    void showLimits(const std::map<std::string, double>& limits);
     /// As edited; limits that no rule has are kept. Of two rows for the same, the later one counts.
     [[nodiscard]] std::map<std::string, double> limits() const;
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/simulation/run/block_set.h"
 #include "core/verification/rules/checked_run.h"
 
 namespace proveout {
@@ -75,7 +76,18 @@ void forEachFeedBlock(const CheckedRun& run, const IsOne& isOne, const Concerns&
     }
 }
 
-/// The same with those that cut.
+/// Adds those without a record that move at feed, have a tool whose data `concerns`, and `mayBreak` a rule.
+template<class Concerns, class MayBreak>
+void needFeedBlocks(const CheckedRun& run, BlockSet& out, const Concerns& concerns,
+                    const MayBreak& mayBreak) {
+    const auto isUnknown = [&](std::size_t block) { return !run.isRecorded(block); };
+    forEachFeedBlock(run, isUnknown, concerns, [&](const FeedBlock& block) {
+        if (mayBreak(block))
+            out.add(block.block);
+    });
+}
+
+/// The same as forEachFeedBlock() with those that cut.
 template<class Concerns, class Visit>
 void forEachFeedCut(const CheckedRun& run, const Concerns& concerns, const Visit& visit) {
     const auto cuts = [&](std::size_t block) { return run.rows[block].cuts(); };

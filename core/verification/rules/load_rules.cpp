@@ -36,13 +36,9 @@ void addAbove(const CheckedRun& run, Limit limit, const FindingRow& row, RuleFin
 /// Adds the blocks of tools with a limit that may exceed it.
 template<class MayExceed>
 void needWhere(const CheckedRun& run, Limit limit, BlockSet& out, const MayExceed& mayExceed) {
-    forEachFeedBlock(
-        run, [&](std::size_t block) { return !run.isRecorded(block); },
-        [&](const CuttingData& data) { return data.*limit > 0; },
-        [&](const FeedBlock& block) {
-            if (mayExceed(block, block.data().*limit))
-                out.add(block.block);
-        });
+    needFeedBlocks(
+        run, out, [&](const CuttingData& data) { return data.*limit > 0; },
+        [&](const FeedBlock& block) { return mayExceed(block, block.data().*limit); });
 }
 
 double spacingOf(const CheckedRun& run) {
@@ -52,6 +48,10 @@ double spacingOf(const CheckedRun& run) {
 /// The width of a cut sideways; 0 for a motion along the axis, for which none is measured.
 double engagementOf(const FeedCut& cut) {
     return cut.sideways ? double{cut.of.radialEngagement} : 0;
+}
+
+bool limitsOtherThanEngagement(const CuttingData& data) {
+    return data.limitsCut() && data.mostEngagement == 0;
 }
 
 double feedPerTooth(const FeedBlock& block) {
@@ -181,23 +181,16 @@ void needForRemovalRate(const CheckedRun& run, const RuleLimits&, BlockSet& out)
 
 void judgeFullSlots(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     const double spacing = spacingOf(run);
-    forEachFeedCut(
-        run, [](const CuttingData& data) { return data.limitsCut() && data.mostEngagement == 0; },
-        [&](const FeedCut& cut) {
-            const double diameter = 2 * cut.cutter.radius();
-            if (diameter > 2 * spacing && engagementOf(cut) > diameter - spacing)
-                out.add(rule_finding::kFullSlot, cut.block, cut.tool, engagementOf(cut), diameter);
-        });
+    forEachFeedCut(run, limitsOtherThanEngagement, [&](const FeedCut& cut) {
+        const double diameter = 2 * cut.cutter.radius();
+        if (diameter > 2 * spacing && engagementOf(cut) > diameter - spacing)
+            out.add(rule_finding::kFullSlot, cut.block, cut.tool, engagementOf(cut), diameter);
+    });
 }
 
 void needForFullSlots(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
-    forEachFeedBlock(
-        run, [&](std::size_t block) { return !run.isRecorded(block); },
-        [](const CuttingData& data) { return data.limitsCut() && data.mostEngagement == 0; },
-        [&](const FeedBlock& block) {
-            if (block.sideways)
-                out.add(block.block);
-        });
+    needFeedBlocks(run, out, limitsOtherThanEngagement,
+                   [](const FeedBlock& block) { return block.sideways; });
 }
 
 void judgeEngagementJumps(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {

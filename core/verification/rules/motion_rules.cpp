@@ -105,7 +105,7 @@ bool isAtFeed(const CheckedRun& run, std::size_t block) {
 
 /// Adds so many blocks of a stretch that the parts between them do not take as long as the limit.
 void addSamples(const CheckedRun& run, std::size_t first, std::size_t last, double limit, BlockSet& out) {
-    constexpr double kSamples = 1.1;
+    constexpr double kSamples = 1.1; // per limit: the last block of a part may be long
     double seconds = 0;
     for (std::size_t block = first; block < last; ++block) {
         seconds += run.times.movingSeconds(block);

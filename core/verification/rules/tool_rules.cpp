@@ -12,6 +12,15 @@ namespace proveout {
 
 namespace {
 
+bool limitsRamps(const CuttingData& data) {
+    return data.steepestRamp < 90;
+}
+
+bool anySpindleLimit(const CheckedRun& run) {
+    return std::ranges::any_of(run.setup.tools.tools(),
+                               [](const auto& tool) { return tool.second.data().mostSpindle > 0; });
+}
+
 bool anyTap(const CheckedRun& run) {
     return std::ranges::any_of(run.setup.tools.tools(), [](const auto& tool) { return isTap(&tool.second); });
 }
@@ -34,8 +43,7 @@ void forEachTapMotion(const CheckedRun& run, const Visit& visit) {
 } // namespace
 
 void judgeToolSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
-    const auto isLimited = [](const auto& tool) { return tool.second.data().mostSpindle > 0; };
-    if (std::ranges::none_of(run.setup.tools.tools(), isLimited))
+    if (!anySpindleLimit(run))
         return;
     for (std::size_t block = 0; block < run.program.blockCount(); ++block) {
         const Motion last = run.program.motion(run.program.blockMotions(block).last - 1);
@@ -51,8 +59,7 @@ void judgeToolSpindle(const CheckedRun& run, const RuleLimits&, RuleFindings& ou
 }
 
 void needForToolSpindle(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
-    const auto isLimited = [](const auto& tool) { return tool.second.data().mostSpindle > 0; };
-    if (std::ranges::none_of(run.setup.tools.tools(), isLimited))
+    if (!anySpindleLimit(run))
         return;
     for (std::size_t block = 0; block < run.program.blockCount(); ++block) {
         const Motion last = run.program.motion(run.program.blockMotions(block).last - 1);
@@ -72,24 +79,17 @@ void judgeSpindleLimit(const CheckedRun& run, const RuleLimits&, RuleFindings& o
 
 void judgeRamps(const CheckedRun& run, const RuleLimits&, RuleFindings& out) {
     constexpr double kAlike = 0.01; // degrees, as ends are rounded
-    forEachFeedCut(
-        run, [](const CuttingData& data) { return data.steepestRamp < 90; },
-        [&](const FeedCut& cut) {
-            const double most = cut.data().steepestRamp;
-            // Going down a wall with some stock left is not a ramp: that takes material under the cutter.
-            if (cut.steepest > most + kAlike && double{cut.of.radialEngagement} > cut.cutter.radius())
-                out.add(rule_finding::kRampTooSteep, cut.block, cut.tool, cut.steepest, most);
-        });
+    forEachFeedCut(run, limitsRamps, [&](const FeedCut& cut) {
+        const double most = cut.data().steepestRamp;
+        // Going down a wall with some stock left is not a ramp: that takes material under the cutter.
+        if (cut.steepest > most + kAlike && double{cut.of.radialEngagement} > cut.cutter.radius())
+            out.add(rule_finding::kRampTooSteep, cut.block, cut.tool, cut.steepest, most);
+    });
 }
 
 void needForRamps(const CheckedRun& run, const RuleLimits&, BlockSet& out) {
-    forEachFeedBlock(
-        run, [&](std::size_t block) { return !run.isRecorded(block); },
-        [](const CuttingData& data) { return data.steepestRamp < 90; },
-        [&](const FeedBlock& block) {
-            if (block.steepest > block.data().steepestRamp)
-                out.add(block.block);
-        });
+    needFeedBlocks(run, out, limitsRamps,
+                   [](const FeedBlock& block) { return block.steepest > block.data().steepestRamp; });
 }
 
 void judgeTapFeed(const CheckedRun& run, const RuleLimits& limits, RuleFindings& out) {
