@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 namespace proveout {
 
@@ -18,9 +19,40 @@ constexpr int kMostPieces = 4096;
 /// steeper moves over ground by less than 1/300 of its height, and is treated as a plunge to its lower end.
 constexpr double kSteepest = 300;
 
+/// Hollows are cut at the ends of pieces, although over a point beside a piece they may be lowest in its
+/// middle: their wall then stands up to length² / (8 · distance) beside its place. So much is allowed, mm.
+constexpr double kWallBeside = 2e-4;
+/// mm per mm. Where a hollow is steeper, it is cut in the middle of pieces as well: its wall then stands within
+/// 5e-5 mm of its place, and heights are within 1e-3 mm up to a slope of 20.
+constexpr double kSteepHollow = 4;
+
 /// The number of pieces for a curve whose second derivative is nowhere larger than `bend`, over [begin, end].
 double piecesOf(const ArcPath& path) {
     return std::max(1.0, std::ceil((path.end - path.begin) * std::sqrt(path.bend() / (8 * kBulge))));
+}
+
+/// Its inner part, as far as it is steep.
+std::optional<HollowProfile> steepPart(HollowProfile hollow) {
+    const double in = hollow.radius * kSteepHollow / std::sqrt(1 + kSteepHollow * kSteepHollow);
+    ConvexProfile& below = hollow.below;
+    const double rim = hollow.centreR - in;
+    if (rim <= below.flatTo)
+        return std::nullopt;
+    if (rim < below.rim) {
+        const double height = hollow.centreZ + std::sqrt(hollow.radius * hollow.radius - in * in);
+        below.slope = (height - below.z0) / (rim - below.flatTo);
+        below.rim = rim;
+    }
+    return hollow;
+}
+
+/// The same where pieces are no longer than hollows allow.
+double piecesOf(const ArcPath& path, std::span<const HollowProfile> hollows) {
+    double pieces = piecesOf(path);
+    const double length = path.radius * std::abs(path.sweep) * (path.end - path.begin);
+    for (const HollowProfile& hollow : hollows)
+        pieces = std::max(pieces, std::ceil(length / std::sqrt(8 * hollow.below.flatTo * kWallBeside)));
+    return pieces;
 }
 
 /// The number of parts of a piece that is as steep as the line between two places.
@@ -34,6 +66,26 @@ const Vec3& lower(const Vec3& a, const Vec3& b) {
     return a.z < b.z ? a : b;
 }
 
+StraightPath placeOn(StraightPath path, double along) {
+    path.from += along * path.along;
+    path.z += along * path.slope;
+    path.length = 0;
+    return path;
+}
+
+/// Whether it falls from one place to the next; where it does not, the first is the lower end.
+bool fallsAfter(std::span<const Vec3> places, std::size_t place) {
+    return places[place + 1].z < places[place].z;
+}
+
+/// The higher end of a piece if it is not the lower end of its neighbour.
+std::optional<Vec3> topOf(std::span<const Vec3> places, std::size_t piece) {
+    if (fallsAfter(places, piece))
+        return piece > 0 && fallsAfter(places, piece - 1) ? std::nullopt : std::optional(places[piece]);
+    const std::size_t top = piece + 1;
+    return top + 1 < places.size() && !fallsAfter(places, top) ? std::nullopt : std::optional(places[top]);
+}
+
 } // namespace
 
 bool CurvePass::suffices(const ConvexProfile& profile, const ArcPath& path, const TileSpacing& spacing) {
@@ -42,6 +94,14 @@ bool CurvePass::suffices(const ConvexProfile& profile, const ArcPath& path, cons
     if (path.normal == 2)
         like.slope = path.climb / (path.sweep * std::min(path.radius, path.radius + path.widening));
     return piecesOf(path) <= kMostPieces && StraightPass::suffices(profile, like, spacing);
+}
+
+bool CurvePass::allSuffice(const HollowedProfiles& profiles, const ArcPath& path,
+                           const TileSpacing& spacing) {
+    const auto each = [&](const ConvexProfile& profile) { return suffices(profile, path, spacing); };
+    const auto below = [&](const HollowProfile& hollow) { return each(hollow.below); };
+    return path.climb == 0 && path.widening == 0 && piecesOf(path, profiles.hollow) <= kMostPieces &&
+           std::ranges::all_of(profiles.convex, each) && std::ranges::all_of(profiles.hollow, below);
 }
 
 CurvePass::CurvePass(std::span<const ConvexProfile> profiles, const ArcPath& path)
@@ -53,8 +113,12 @@ CurvePass::CurvePass(std::span<const ConvexProfile> profiles, const ArcPath& pat
 CurvePass::CurvePass(const HollowedProfiles& profiles, const ArcPath& path)
     : CurvePass(profiles.convex, path) {
     m_hollows = profiles.hollow;
-    for (const HollowProfile& hollow : profiles.hollow)
+    m_pieces = static_cast<int>(piecesOf(path, m_hollows));
+    for (const HollowProfile& hollow : m_hollows) {
         m_rim = std::max(m_rim, hollow.below.rim);
+        if (const auto steep = steepPart(hollow))
+            m_steep.push_back(*steep);
+    }
 }
 
 std::vector<Vec3> CurvePass::places() const {
@@ -97,14 +161,20 @@ void CurvePass::addOverTile(double x, double y, const TileSpacing& spacing,
         const double distance = std::hypot(x - middle.x, y - middle.y) - margin - piece.length;
         if (distance > m_rim)
             return;
+        const auto addHollows = [&](const std::vector<HollowProfile>& hollows, const StraightPath& path) {
+            for (const HollowProfile& hollow : hollows) {
+                if (distance <= hollow.below.rim)
+                    passes.push_back(StraightPass::atLowerEnd(hollow, path).overTile(x, y, spacing));
+            }
+        };
         for (const ConvexProfile& profile : m_profiles) {
             if (distance <= profile.rim)
                 passes.push_back(StraightPass(profile, piece).overTile(x, y, spacing));
         }
-        for (const HollowProfile& hollow : m_hollows) {
-            if (distance <= hollow.below.rim)
-                passes.push_back(StraightPass(hollow, piece).overTile(x, y, spacing));
-        }
+        addHollows(m_hollows, piece);
+        addHollows(m_steep, placeOn(piece, 0.5 * piece.length));
+        if (const auto top = topOf(places, k))
+            addHollows(m_hollows, straightPath(*top, *top));
     };
     // Odd multiples of falling powers of two: each piece once.
     const std::size_t pieces = places.size() - 1;

@@ -17,11 +17,13 @@ namespace proveout {
 class CurvePass {
 public:
     CurvePass(std::span<const ConvexProfile> profiles, const ArcPath& path);
-    /// Only along the grid: see HollowEnvelope.
     CurvePass(const HollowedProfiles& profiles, const ArcPath& path);
 
     /// Whether that many pieces are worth it, and single precision suffices for cutter and grid.
     [[nodiscard]] static bool suffices(const ConvexProfile& profile, const ArcPath& path,
+                                       const TileSpacing& spacing);
+    /// Only arcs; hollows are cut at the ends of pieces.
+    [[nodiscard]] static bool allSuffice(const HollowedProfiles& profiles, const ArcPath& path,
                                        const TileSpacing& spacing);
 
     /// Adds the pieces that may reach the tile with its middle at (x, y), starting with pieces far apart:
@@ -37,6 +39,7 @@ private:
 
     std::vector<ConvexProfile> m_profiles;
     std::vector<HollowProfile> m_hollows;
+    std::vector<HollowProfile> m_steep; ///< their steep parts
     double m_rim = 0; ///< the largest
     ArcPath m_path;
     int m_pieces;

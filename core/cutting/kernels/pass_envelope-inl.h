@@ -310,7 +310,7 @@ HWY_INLINE void withEnvelope(const TilePass& pass, const Work& work) {
             return work(LevelEnvelope<CornerForm>(pass));
         return work(SlopedEnvelope<CornerForm, CornerLead>(pass));
     case TilePass::Form::hollow:
-        return; // see HollowEnvelope
+        return work(SlopedEnvelope<HollowForm, RimLead>(pass)); // others: HollowEnvelope
     case TilePass::Form::whole:
         return work(LevelEnvelope<WholeForm>(pass));
     }

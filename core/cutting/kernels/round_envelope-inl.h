@@ -245,7 +245,7 @@ template<class Work>
 HWY_INLINE void withAnyEnvelope(const TilePass& pass, const Work& work) {
     if (pass.path == TilePass::Path::round)
         withRoundEnvelope(pass, work);
-    else if (pass.form == TilePass::Form::hollow)
+    else if (pass.form == TilePass::Form::hollow && pass.lead >= 0)
         work(HollowEnvelope(pass));
     else
         withEnvelope(pass, work);

@@ -59,6 +59,7 @@ void setHollow(TilePass& form, const HollowProfile& hollow) {
     form.hollowRing = toFloat(hollow.centreR);
     form.hollowCentre = toFloat(hollow.centreZ - hollow.below.reference());
     form.hollowRadius2 = toFloat(hollow.radius * hollow.radius);
+    form.lead = 0;
 }
 
 TilePass StraightPass::formOf(const ConvexProfile& profile, const StraightPath& path) {
@@ -113,6 +114,12 @@ StraightPass::StraightPass(const HollowProfile& hollow, const StraightPath& path
     : StraightPass(hollow.below, path) {
     setHollow(m_form, hollow);
     m_path.continues = false;
+}
+
+StraightPass StraightPass::atLowerEnd(const HollowProfile& hollow, const StraightPath& path) {
+    StraightPass pass(hollow, path);
+    pass.m_form.lead = -1;
+    return pass;
 }
 
 bool StraightPass::fitLeads() {

@@ -40,6 +40,9 @@ public:
     /// A hollow; on a path that is neither level nor along the grid it cannot be used without its leads.
     StraightPass(const HollowProfile& hollow, const StraightPath& path);
 
+    /// A hollow at the lower end of the path alone, and where a point leaves its rim on the way.
+    [[nodiscard]] static StraightPass atLowerEnd(const HollowProfile& hollow, const StraightPath& path);
+
     /// Whether single precision gives the envelope over a grid to a ten-thousandth of a millimetre. Very
     /// large cutters, wide grids and near-plunges need more digits.
     [[nodiscard]] static bool suffices(const ConvexProfile& profile, const StraightPath& path,

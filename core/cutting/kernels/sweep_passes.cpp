@@ -94,17 +94,17 @@ SweepPasses::SweepPasses(const HollowedProfiles& profiles, const StraightPath& p
 }
 
 SweepPasses::SweepPasses(const HollowedProfiles& profiles, const ArcPath& path, const TileSpacing& spacing) {
-    const auto allSuffice = [&](const auto& suffices) {
-        return std::ranges::all_of(
-                   profiles.convex,
-                   [&](const ConvexProfile& profile) { return suffices(profile, path, spacing); }) &&
-               std::ranges::all_of(profiles.hollow, [&](const HollowProfile& hollow) {
-                   return suffices(hollow.below, path, spacing);
-               });
+    const auto suffices = [&](const ConvexProfile& profile) {
+        return RoundPass::suffices(profile, path, spacing);
     };
-    if (path.normal != 2 && path.climb == 0 && allSuffice(CurvePass::suffices))
-        m_curve.emplace(profiles, path);
-    if (path.climb == 0 || !allSuffice(RoundPass::suffices))
+    const auto belowSuffices = [&](const HollowProfile& hollow) { return suffices(hollow.below); };
+    if (path.climb == 0) {
+        if (path.normal != 2 && CurvePass::allSuffice(profiles, path, spacing))
+            m_curve.emplace(profiles, path);
+        return;
+    }
+    if (!std::ranges::all_of(profiles.convex, suffices) ||
+        !std::ranges::all_of(profiles.hollow, belowSuffices))
         return;
     if (!addRound<ConvexProfile>(profiles.convex, path) || !addRound<HollowProfile>(profiles.hollow, path))
         m_round.clear();

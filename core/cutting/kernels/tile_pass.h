@@ -46,7 +46,7 @@ struct TilePass {
     float ring = 0;   ///< corner: the radius of its arc's centre
     float radius = 0; ///< ball and corner: of the arc
     float lead = 0; ///< ball: how far ahead it is, by the height of its surface; line: the square of the same
-                    ///< by the distance across; negative: the lead is at the rim
+                    ///< by the distance across; negative, and for a hollow as well: the lead is at the rim
 
     // The arc of a hollow; its chord is the line that bounds it.
     float hollowRing = 0;    ///< the radius of its centre
