@@ -13,13 +13,12 @@
 #include <oneapi/tbb/global_control.h>
 #include <random>
 #include <string>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "tests/bench/in_a_process.h"
 #include "tests/bench/workloads.h"
 #include "tests/core/cutter/default_spec.h"
 
@@ -34,24 +33,12 @@ struct Figures {
     double peakBytes = 0;
 };
 
-Figures inAProcess(const std::function<Figures()>& measure) {
-    std::array<int, 2> ends{};
-    Figures figures;
-    if (pipe(ends.data()) != 0)
-        return figures;
-    const pid_t child = fork();
-    if (child == 0) {
+Figures measuredApart(const std::function<Figures()>& measure) {
+    return inAProcess([&] {
         Figures made = measure();
         made.peakBytes = static_cast<double>(peakMemoryBytes());
-        const bool sent = write(ends[1], &made, sizeof made) == static_cast<ssize_t>(sizeof made);
-        _exit(sent ? 0 : 1);
-    }
-    close(ends[1]);
-    if (read(ends[0], &figures, sizeof figures) != static_cast<ssize_t>(sizeof figures))
-        figures = {};
-    close(ends[0]);
-    waitpid(child, nullptr, 0);
-    return figures;
+        return made;
+    });
 }
 
 void say(const std::string& line) {
@@ -167,7 +154,7 @@ void reportShapes() {
         const Cutter cutter = parseCutter(spec).value();
         std::string row = fmt::format("| `{}` |", spec);
         for (const Kind kind : kKinds) {
-            const Figures done = inAProcess([&] { return measureShape(cutter, kind); });
+            const Figures done = measuredApart([&] { return measureShape(cutter, kind); });
             row += fmt::format(" {:.0f} |", done.points / done.processorSeconds / 1e6);
         }
         say(row);
@@ -202,7 +189,7 @@ Figures measureWorkload(const Workload& workload, double spacing, Mode mode, std
 
 Figures ofWorkload(const Workload& workload, double spacing, Mode mode, std::size_t threads,
                    std::size_t most = static_cast<std::size_t>(-1)) {
-    return inAProcess([&] { return measureWorkload(workload, spacing, mode, threads, most); });
+    return measuredApart([&] { return measureWorkload(workload, spacing, mode, threads, most); });
 }
 
 std::size_t blocksOf(const Workload& workload) {

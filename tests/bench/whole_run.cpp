@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // whole_run [RUNS [PART…]]: what the real command line takes for whole programs, beside the sum of the
-// kernels that the work consists of, measured in this process and in the same run, and the start of the
-// program; how time and memory grow; and what the real window takes for the same, if there is a display. PART
-// is a workload, "growth" or "window". Fails if a run takes more than 1.5 times as long as its kernels, grows
-// faster than in proportion, or holds up the events of the window.
+// kernels that the work consists of, measured in a process of this program and in the same run, and the start
+// of the program; how time and memory grow; and what the real window takes for the same, if there is a
+// display. PART is a workload, "growth" or "window". Fails if a run takes more than 1.5 times as long as its
+// kernels, grows faster than in proportion, or holds up the events of the window.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -15,7 +15,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/decimation/solid/solid.h"
 #include "core/decimation/surface/refined_surface.h"
@@ -26,6 +25,7 @@
 #include "core/simulation/run/simulation.h"
 #include "tests/bench/bench_folder.h"
 #include "tests/bench/growth_table.h"
+#include "tests/bench/in_a_process.h"
 #include "tests/bench/product_run.h"
 #include "tests/bench/window_table.h"
 #include "tests/bench/workloads.h"
@@ -125,7 +125,7 @@ bool measure(const Case& one, const Workload& workload, int runs) {
     std::vector<Kernels> kernels;
     for (int run = 0; run < runs; ++run) {
         products.push_back(runProduct({one.spacing, one.output, one.threads}, workload, folder.path()));
-        kernels.push_back(runKernels(one, workload, text, folder.path()));
+        kernels.push_back(inAProcess([&] { return runKernels(one, workload, text, folder.path()); }));
     }
     const MeasuredRun& product = medianOf(products, &MeasuredRun::seconds);
     const Kernels& kernel = medianOf(kernels, [&](const Kernels& k) { return k.sum(one.output); });
@@ -147,7 +147,6 @@ bool measure(const Case& one, const Workload& workload, int runs) {
 
 int main(int argc, char** argv) {
     using namespace proveout::bench;
-    proveout::returnLargeBlocksAtOnce(); // a process that it starts counts what this one holds
     const int runs = argc > 1 ? std::stoi(argv[1]) : 5;
     const std::vector<std::string_view> names(argv + std::min(argc, 2), argv + argc);
     const auto isWanted = [&names](std::string_view part) {

@@ -22,8 +22,8 @@ constexpr double kSteepest = 300;
 /// Hollows are cut at the ends of pieces, although over a point beside a piece they may be lowest in its
 /// middle: their wall then stands up to length² / (8 · distance) beside its place. So much is allowed, mm.
 constexpr double kWallBeside = 2e-4;
-/// mm per mm. Where a hollow is steeper, it is cut in the middle of pieces as well: its wall then stands within
-/// 5e-5 mm of its place, and heights are within 1e-3 mm up to a slope of 20.
+/// mm per mm. Where a hollow is steeper, it is cut in the middle of pieces as well: its wall then stands
+/// within 5e-5 mm of its place, and heights are within 1e-3 mm up to a slope of 20.
 constexpr double kSteepHollow = 4;
 
 /// The number of pieces for a curve whose second derivative is nowhere larger than `bend`, over [begin, end].

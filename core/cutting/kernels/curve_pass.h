@@ -24,7 +24,7 @@ public:
                                        const TileSpacing& spacing);
     /// Only arcs; hollows are cut at the ends of pieces.
     [[nodiscard]] static bool allSuffice(const HollowedProfiles& profiles, const ArcPath& path,
-                                       const TileSpacing& spacing);
+                                         const TileSpacing& spacing);
 
     /// Adds the pieces that may reach the tile with its middle at (x, y), starting with pieces far apart:
     /// once the arc is cut roughly, most other pieces are above the surface except where they touch. The
@@ -40,7 +40,7 @@ private:
     std::vector<ConvexProfile> m_profiles;
     std::vector<HollowProfile> m_hollows;
     std::vector<HollowProfile> m_steep; ///< their steep parts
-    double m_rim = 0; ///< the largest
+    double m_rim = 0;                   ///< the largest
     ArcPath m_path;
     int m_pieces;
 };
