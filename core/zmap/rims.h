@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where between the points of a z-map a wall stands.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/persistent_array.h"
+
+namespace proveout {
+
+/// A wall that crosses an edge of the grid: the line from a point to the next one along x or y.
+struct Rim {
+    std::uint16_t edge;  ///< of its tile: RimEdge
+    std::uint16_t place; ///< of the wall, from the edge's first point, in 65 536ths of the edge
+    float top;           ///< heights at both ends of the wall, relative to the top of the stock, mm
+    float bottom;
+    std::int16_t normalX; ///< of the wall over ground, from its low to its high side, in 32 767ths
+    std::int16_t normalY;
+
+    [[nodiscard]] double fraction() const { return place / 65536.0; }
+    [[nodiscard]] Vec2 normal() const { return {normalX / 32767.0, normalY / 32767.0}; }
+    friend bool operator==(const Rim&, const Rim&) = default;
+};
+
+/// An edge of a tile, by its first point within the tile and its direction. A tile has the edges whose first
+/// point is its own; the last of a row ends at the first point of the next tile.
+struct RimEdge {
+    int i;
+    int j;
+    bool alongY;
+
+    [[nodiscard]] std::uint16_t index() const {
+        return static_cast<std::uint16_t>((j * 64 + i) * 2 + alongY);
+    }
+    [[nodiscard]] static RimEdge of(std::uint16_t index) {
+        return {index / 2 % 64, index / 128, index % 2 != 0};
+    }
+};
+
+/// The rims of a tile, by ascending edges. Immutable once published.
+struct RimTile {
+    std::vector<Rim> rims;
+    friend bool operator==(const RimTile&, const RimTile&) = default;
+};
+using RimTilePtr = std::shared_ptr<const RimTile>;
+
+/// Per tile of a z-map; null: no rim. Empty: rims are not known. Equal pointers mean equal rims.
+using RimMap = PersistentArray<RimTilePtr>;
+
+} // namespace proveout
