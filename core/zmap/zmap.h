@@ -6,11 +6,14 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/index_rect.h"
 #include "core/base/persistent_array.h"
+#include "core/zmap/rims.h"
 #include "core/zmap/stock.h"
+#include "core/zmap/wall_points.h"
 
 namespace proveout {
 
@@ -59,6 +62,12 @@ public:
         const auto tile = static_cast<std::size_t>((j / Tile::kSize) * tilesX() + i / Tile::kSize);
         return m_tiles[tile]->at(i % Tile::kSize, j % Tile::kSize);
     }
+    /// Where walls stand between the points, and the points beside them; empty where nobody asked for them.
+    [[nodiscard]] const RimMap& rims() const { return m_rims; }
+    [[nodiscard]] const WallPoints& walls() const { return m_walls; }
+    void setRims(RimMap rims) { m_rims = std::move(rims); }
+    void setWalls(WallPoints walls) { m_walls = std::move(walls); }
+
     /// Copies the heights of a rectangle, row by row, to `out` (width × height values).
     void read(const IndexRect& rect, std::span<float> out) const;
     /// Whether two snapshots of one grid have the same heights in a rectangle.
@@ -72,6 +81,8 @@ private:
     StockBox m_stock;
     Grid m_grid;
     PersistentArray<std::shared_ptr<const Tile>> m_tiles;
+    RimMap m_rims;
+    WallPoints m_walls;
 };
 
 /// The z-map that is being cut. Owned by one thread; parallel work may write different tiles at once after

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rims as the points at both ends of their edges see them. Internal to this room.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/index_rect.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// A rim as seen from one of the two points of its edge.
+struct RimCrossing {
+    Vec2 at; ///< from the point, mm
+    Vec2 normal;
+    float top;
+    float bottom;
+
+    [[nodiscard]] float beside(bool high) const { return high ? top : bottom; }
+};
+
+/// A step from a point to one of its neighbours.
+struct GridStep {
+    int di;
+    int dj;
+    [[nodiscard]] bool isOpposite(const GridStep& other) const { return di == -other.di && dj == -other.dj; }
+};
+/// The place of a wall in a cell from its crossings of two edges, nearest to the point that both belong to:
+/// on the curve that passes through both at a right angle to their normals.
+[[nodiscard]] Vec2 onWall(const RimCrossing& a, const RimCrossing& b);
+
+/// Where the walls through two rims meet, if they turn sharply there.
+[[nodiscard]] std::optional<Vec2> cornerOf(const RimCrossing& a, const RimCrossing& b);
+
+/// Of the surface on one side of a wall that crosses two edges.
+[[nodiscard]] double heightBeside(const RimCrossing& a, const RimCrossing& b, bool high);
+
+/// The rims and heights of a tile and what surrounds it. Refers to the map.
+class RimSurroundings {
+public:
+    RimSurroundings(const ZMapSnapshot& zmap, std::size_t tile) : m_zmap(zmap), m_rect(zmap.tileRect(tile)) {
+        const int i = m_rect.i0 / Tile::kSize;
+        const int j = m_rect.j0 / Tile::kSize;
+        for (int tj = std::max(j - 1, 0); tj <= std::min(j + 1, zmap.tilesY() - 1); ++tj) {
+            for (int ti = std::max(i - 1, 0); ti <= std::min(i + 1, zmap.tilesX() - 1); ++ti)
+                add(ti, tj);
+        }
+    }
+
+    [[nodiscard]] bool empty() const { return m_rims.empty(); }
+    [[nodiscard]] const IndexRect& rect() const { return m_rect; }
+    [[nodiscard]] const Grid& grid() const { return m_zmap.grid(); }
+    [[nodiscard]] Vec2 cell() const { return {grid().hx, grid().hy}; }
+
+    /// Of the edge from (i, j) to one of its neighbours.
+    [[nodiscard]] std::optional<RimCrossing> crossing(int i, int j, const GridStep& step) const {
+        const auto [di, dj] = step;
+        const Rim* rim = find(std::min(i, i + di), std::min(j, j + dj), dj != 0);
+        if (rim == nullptr)
+            return std::nullopt;
+        const double way = di + dj > 0 ? rim->fraction() : 1 - rim->fraction();
+        return RimCrossing{Vec2(di * grid().hx, dj * grid().hy) * way, rim->normal(), rim->top, rim->bottom};
+    }
+    [[nodiscard]] bool isHigh(int i, int j, const GridStep& step) const {
+        return m_zmap.height(i, j) > m_zmap.height(i + step.di, j + step.dj);
+    }
+
+private:
+    static constexpr int kAround = 2;
+    static constexpr int kWidth = Tile::kSize + 2 * kAround;
+
+    void add(int ti, int tj) {
+        const RimTilePtr& tile = m_zmap.rims()[static_cast<std::size_t>(tj * m_zmap.tilesX() + ti)];
+        if (!tile)
+            return;
+        if (m_rims.empty())
+            m_rims.resize(std::size_t{2} * kWidth * kWidth, nullptr);
+        for (const Rim& rim : tile->rims) {
+            const RimEdge edge = RimEdge::of(rim.edge);
+            if (const auto place = placeOf(ti * Tile::kSize + edge.i, tj * Tile::kSize + edge.j, edge.alongY))
+                m_rims[*place] = &rim;
+        }
+    }
+    [[nodiscard]] std::optional<std::size_t> placeOf(int i, int j, bool alongY) const {
+        const int x = i - m_rect.i0 + kAround;
+        const int y = j - m_rect.j0 + kAround;
+        if (x < 0 || y < 0 || x >= kWidth || y >= kWidth)
+            return std::nullopt;
+        return (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 2 + alongY;
+    }
+    [[nodiscard]] const Rim* find(int i, int j, bool alongY) const {
+        const auto place = placeOf(i, j, alongY);
+        return place ? m_rims[*place] : nullptr;
+    }
+
+    const ZMapSnapshot& m_zmap;
+    IndexRect m_rect;
+    std::vector<const Rim*> m_rims;
+};
+
+} // namespace proveout

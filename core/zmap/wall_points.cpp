@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/zmap/wall_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/zmap/cell_walls.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::array<GridStep, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+/// One point of a tile.
+class PointPlace {
+public:
+    PointPlace(const RimSurroundings& around, int i, int j) : m_around(around), m_i(i), m_j(j) {
+        const Grid& grid = around.grid();
+        m_freeX = i > 0 && i < grid.nx - 1;
+        m_freeY = j > 0 && j < grid.ny - 1;
+        for (const GridStep& step : kSteps) {
+            if (step.di != 0 ? m_freeX : m_freeY)
+                look(step);
+        }
+    }
+
+    [[nodiscard]] std::optional<WallPlace> place() const {
+        if (m_mixed)
+            return std::nullopt;
+        if (m_freeX && m_freeY) {
+            if (const auto sharp = ofCells(&CellWalls::sharp))
+                return sharp;
+            if (m_count == 0)
+                return ofCells(&CellWalls::oppositeOfCut);
+        }
+        if (m_count == 1)
+            return WallPlace{m_seen[0].crossing.at, static_cast<double>(m_seen[0].crossing.beside(m_high))};
+        if (m_count != 2 || m_seen[0].step.isOpposite(m_seen[1].step))
+            return std::nullopt; // walls on opposite sides: it cannot be on both
+        const RimCrossing& a = m_seen[0].crossing;
+        const RimCrossing& b = m_seen[1].crossing;
+        return WallPlace{onWall(a, b), heightBeside(a, b, m_high)};
+    }
+
+private:
+    struct Seen {
+        GridStep step;
+        RimCrossing crossing;
+    };
+
+    void look(const GridStep& step) {
+        const int i = m_i + step.di;
+        const int j = m_j + step.dj;
+        if (i < 0 || j < 0 || i >= m_around.grid().nx || j >= m_around.grid().ny)
+            return;
+        const auto crossing = m_around.crossing(m_i, m_j, step);
+        if (!crossing)
+            return;
+        const bool high = m_around.isHigh(m_i, m_j, step);
+        m_mixed = m_mixed || (m_count > 0 && high != m_high);
+        m_high = high;
+        m_seen[m_count++] = {step, *crossing};
+    }
+
+    /// From the first of the four cells around the point that has an answer.
+    [[nodiscard]] std::optional<WallPlace> ofCells(std::optional<WallPlace> (CellWalls::*ask)(int)
+                                                       const) const {
+        for (int corner = 0; corner < 4; ++corner) {
+            const CellWalls cell(m_around, m_i - corner % 2, m_j - corner / 2);
+            if (const auto place = (cell.*ask)(corner))
+                return place;
+        }
+        return std::nullopt;
+    }
+
+    const RimSurroundings& m_around;
+    int m_i;
+    int m_j;
+    bool m_freeX = false; ///< not on the border of the map
+    bool m_freeY = false;
+    bool m_high = false;
+    bool m_mixed = false; ///< both above one wall and below another: it stays
+    std::array<Seen, kSteps.size()> m_seen{};
+    std::size_t m_count = 0;
+};
+
+bool sameAround(const ZMapSnapshot& a, const ZMapSnapshot& b, std::size_t tile) {
+    const int i = static_cast<int>(tile) % a.tilesX();
+    const int j = static_cast<int>(tile) / a.tilesX();
+    for (int tj = std::max(j - 1, 0); tj <= std::min(j + 1, a.tilesY() - 1); ++tj) {
+        for (int ti = std::max(i - 1, 0); ti <= std::min(i + 1, a.tilesX() - 1); ++ti) {
+            const auto index = static_cast<std::size_t>(tj * a.tilesX() + ti);
+            if (a.rims()[index] != b.rims()[index])
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size_t tile) {
+    if (zmap.rims().empty())
+        return nullptr;
+    const RimSurroundings around(zmap, tile);
+    if (around.empty())
+        return nullptr;
+    WallTile walls;
+    const IndexRect& rect = around.rect();
+    for (int j = rect.j0; j < rect.j1; ++j) {
+        for (int i = rect.i0; i < rect.i1; ++i) {
+            const auto place = PointPlace(around, i, j).place();
+            if (place)
+                walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
+                                        static_cast<float>(place->at.x), static_cast<float>(place->at.y),
+                                        static_cast<float>(place->z)});
+        }
+    }
+    return walls.points.empty() ? nullptr : std::make_shared<const WallTile>(std::move(walls));
+}
+
+WallPoints::WallPoints(const ZMapSnapshot& zmap) : WallPoints(zmap, {}, {}) {}
+
+WallPoints::WallPoints(const ZMapSnapshot& zmap, const ZMapSnapshot& before, const WallPoints& points)
+    : m_tilesX(zmap.tilesX()) {
+    if (zmap.rims().empty())
+        return;
+    const bool follows =
+        before.rims().size() == zmap.tileCount() && points.m_tiles.size() == zmap.tileCount();
+    std::vector<std::shared_ptr<const WallTile>> tiles(zmap.tileCount());
+    inParallel(tiles.size(), [&](std::size_t tile) {
+        tiles[tile] =
+            follows && sameAround(zmap, before, tile) ? points.m_tiles[tile] : wallPointsOf(zmap, tile);
+    });
+    for (std::shared_ptr<const WallTile>& tile : tiles) {
+        m_count += tile ? tile->points.size() : 0;
+        m_tiles.push_back(std::move(tile));
+    }
+}
+
+const WallPoint* WallPoints::find(int i, int j) const {
+    if (m_count == 0)
+        return nullptr;
+    const WallTile* walls = tile(static_cast<std::size_t>(j / Tile::kSize * m_tilesX + i / Tile::kSize));
+    if (walls == nullptr)
+        return nullptr;
+    const int point = j % Tile::kSize * Tile::kSize + i % Tile::kSize;
+    const auto at = std::ranges::lower_bound(walls->points, point, {}, &WallPoint::point);
+    return at != walls->points.end() && at->point == point ? &*at : nullptr;
+}
+
+} // namespace proveout

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points of a z-map beside walls, moved to where the walls stand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/persistent_array.h"
+
+namespace proveout {
+
+class ZMapSnapshot;
+
+/// A point beside a wall. A mesh whose vertices are points of the grid draws it on the wall: the points above
+/// and below a wall then meet in one line, so that the wall is vertical and stands where the cutter left it.
+struct WallPoint {
+    std::uint16_t point; ///< within its tile: row · 64 + column
+    float dx;            ///< from the point of the grid to the wall, mm
+    float dy;
+    float z; ///< of the surface there, relative to the top of the stock
+    friend bool operator==(const WallPoint&, const WallPoint&) = default;
+};
+
+/// Those of a tile, ascending. Immutable once published.
+struct WallTile {
+    std::vector<WallPoint> points;
+    friend bool operator==(const WallTile&, const WallTile&) = default;
+};
+
+/// Computed from the rims of a z-map; where walls are not straight, corners are estimated from the rims on
+/// both sides. No point leaves the border of the map, and none moves by more than about a cell. Value type;
+/// any thread reads copies.
+class WallPoints {
+public:
+    WallPoints() = default; ///< none, of any map
+    /// `zmap` has rims, or there are no wall points. In parallel.
+    explicit WallPoints(const ZMapSnapshot& zmap);
+    /// The same, where tiles whose rims are those of `before`, and whose neighbours' are as well, keep what
+    /// `points` has for them.
+    WallPoints(const ZMapSnapshot& zmap, const ZMapSnapshot& before, const WallPoints& points);
+
+    [[nodiscard]] bool empty() const { return m_count == 0; }
+    [[nodiscard]] std::size_t count() const { return m_count; }
+    /// Null: none.
+    [[nodiscard]] const WallTile* tile(std::size_t index) const {
+        return m_tiles.empty() ? nullptr : m_tiles[index].get();
+    }
+    /// Null where point (i, j) is not beside a wall.
+    [[nodiscard]] const WallPoint* find(int i, int j) const;
+
+private:
+    int m_tilesX = 0;
+    std::size_t m_count = 0;
+    PersistentArray<std::shared_ptr<const WallTile>> m_tiles;
+};
+
+/// The wall points of one tile; null if it has none.
+[[nodiscard]] std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size_t tile);
+
+} // namespace proveout
