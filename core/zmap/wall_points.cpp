@@ -154,4 +154,35 @@ const WallPoint* WallPoints::find(int i, int j) const {
     return at != walls->points.end() && at->point == point ? &*at : nullptr;
 }
 
+std::vector<std::uint32_t> WallPoints::offsetsIn(const IndexRect& rect) const {
+    std::vector<std::uint32_t> offsets;
+    if (m_count == 0 || rect.empty())
+        return offsets;
+    for (int tj = rect.j0 / Tile::kSize; tj <= (rect.j1 - 1) / Tile::kSize; ++tj) {
+        for (int ti = rect.i0 / Tile::kSize; ti <= (rect.i1 - 1) / Tile::kSize; ++ti) {
+            const WallTile* walls = tile(static_cast<std::size_t>(tj * m_tilesX + ti));
+            if (walls == nullptr)
+                continue;
+            for (const WallPoint& wall : walls->points) {
+                const int i = ti * Tile::kSize + wall.point % Tile::kSize - rect.i0;
+                const int j = tj * Tile::kSize + wall.point / Tile::kSize - rect.j0;
+                if (i >= 0 && j >= 0 && i < rect.width() && j < rect.height())
+                    offsets.push_back(static_cast<std::uint32_t>(j * rect.width() + i));
+            }
+        }
+    }
+    std::ranges::sort(offsets);
+    return offsets;
+}
+
+Vec3 vertexAt(const ZMapSnapshot& zmap, int i, int j) {
+    const Grid& grid = zmap.grid();
+    const double top = zmap.stock().topZ();
+    const WallPoint* wall = zmap.walls().find(i, j);
+    if (wall == nullptr)
+        return {grid.x(i), grid.y(j), top + static_cast<double>(zmap.height(i, j))};
+    return {grid.x(i) + static_cast<double>(wall->dx), grid.y(j) + static_cast<double>(wall->dy),
+            top + static_cast<double>(wall->z)};
+}
+
 } // namespace proveout

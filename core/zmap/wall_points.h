@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/base/index_rect.h"
 #include "core/base/persistent_array.h"
 
 namespace proveout {
@@ -50,6 +51,8 @@ public:
     }
     /// Null where point (i, j) is not beside a wall.
     [[nodiscard]] const WallPoint* find(int i, int j) const;
+    /// Those in a rectangle of grid points, as offsets row by row, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> offsetsIn(const IndexRect& rect) const;
 
 private:
     int m_tilesX = 0;
@@ -59,5 +62,8 @@ private:
 
 /// The wall points of one tile; null if it has none.
 [[nodiscard]] std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size_t tile);
+
+/// Where a mesh of the map has grid point (i, j), program coordinates.
+[[nodiscard]] Vec3 vertexAt(const ZMapSnapshot& zmap, int i, int j);
 
 } // namespace proveout

@@ -145,7 +145,7 @@ bool chordHolds(std::span<const float> heights, double limit) {
 } // namespace
 
 BorderLine certifiedBorder(std::span<const float> heights, double allowance,
-                           std::span<const std::uint32_t> extras) {
+                           std::span<const std::uint32_t> kept) {
     const double limit = allowance - roundingGuard(heights);
     // The middle of two cells is next to both corners; see snapToKept().
     if (heights.size() <= 3 || limit <= 0) {
@@ -154,11 +154,9 @@ BorderLine certifiedBorder(std::span<const float> heights, double allowance,
         std::iota(line.kept.begin(), line.kept.end(), 0U);
         return line;
     }
-    if (extras.empty() && chordHolds(heights, limit))
+    if (kept.empty() && chordHolds(heights, limit))
         return {{0, static_cast<std::uint32_t>(heights.size() - 1)}, {}};
-    BorderLine line = ShortestPath(heights, limit, extras).path();
-    line.extras.assign(extras.begin(), extras.end());
-    return line;
+    return ShortestPath(heights, limit, kept).path();
 }
 
 } // namespace proveout

@@ -18,7 +18,12 @@ BorderLine ownBorder(const RegionSamples& samples, Side side, double allowance) 
     std::vector<float> heights(alongX ? width : height);
     for (std::size_t k = 0; k < heights.size(); ++k)
         heights[k] = samples.heights[first + k * (alongX ? 1 : width)];
-    return certifiedBorder(heights, allowance);
+    std::vector<std::uint32_t> walls;
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+        if (std::ranges::binary_search(samples.walls, first + k * (alongX ? 1 : width)))
+            walls.push_back(static_cast<std::uint32_t>(k));
+    }
+    return certifiedBorder(heights, allowance, walls);
 }
 
 /// The full mesh, which is exact; at the surface level it needs all points of its borders.

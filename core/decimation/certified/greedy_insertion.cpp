@@ -23,6 +23,7 @@ bool GreedyInsertion::run(const RegionPatch& patch,
     for (std::int32_t v = 0; v < 4; ++v)
         occupied(mesh.vertex(v).i, mesh.vertex(v).j) = 1;
     insertBorders(patch, borders, mesh);
+    insertWalls(patch, mesh);
     m_touched.clear();
     for (std::size_t t = mesh.triangleSlots(); t-- > 0;)
         m_touched.push_back(static_cast<std::int32_t>(t));
@@ -147,6 +148,21 @@ void GreedyInsertion::insertBorders(const RegionPatch& patch,
             occupied(i, j) = 1;
             before = mesh.insert(t, {i, j, patch.at(i, j)}, m_touched);
         }
+    }
+}
+
+/// All of them at once: the edges between neighbours are then edges of the mesh.
+void GreedyInsertion::insertWalls(const RegionPatch& patch, LatticeTriangulation& mesh) {
+    std::int32_t before = 0;
+    for (const std::uint32_t offset : patch.walls()) {
+        const auto i = static_cast<std::int32_t>(offset % m_width);
+        const auto j = static_cast<std::int32_t>(offset / m_width);
+        if (occupied(i, j) != 0)
+            continue;
+        m_touched.clear();
+        const std::int32_t t = mesh.locate(LatticeTriangulation::triangleOf(mesh.edgeFrom(before)), i, j);
+        occupied(i, j) = 1;
+        before = mesh.insert(t, {i, j, patch.at(i, j)}, m_touched);
     }
 }
 

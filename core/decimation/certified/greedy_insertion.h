@@ -39,6 +39,7 @@ private:
     }
     void insertBorders(const RegionPatch& patch, const std::array<std::span<const std::uint32_t>, 4>& borders,
                        LatticeTriangulation& mesh);
+    void insertWalls(const RegionPatch& patch, LatticeTriangulation& mesh);
     void pushTouched(LatticeTriangulation& mesh);
 
     std::vector<std::int32_t> m_touched;

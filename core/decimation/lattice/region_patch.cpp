@@ -9,6 +9,7 @@ namespace proveout {
 void RegionPatch::load(const RegionSamples& samples) {
     m_width = samples.rect.width();
     m_height = samples.rect.height();
+    m_walls.assign(samples.walls.begin(), samples.walls.end());
     m_parity = (samples.rect.i0 + samples.rect.j0) & 1;
     m_stride = (m_width + 2 * kReadAhead - 1) / kReadAhead * kReadAhead;
     // One more row than the region has: a crossing at the last row is computed between it and the next one.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/decimation/regions/region_decimator.h"
@@ -30,6 +32,11 @@ public:
     [[nodiscard]] double guard(double result) const {
         return (3 * m_largest + result) * double{std::numeric_limits<float>::epsilon()} / 2;
     }
+    /// Points that stay vertices, as ascending offsets row by row.
+    [[nodiscard]] std::span<const std::uint32_t> walls() const { return m_walls; }
+    [[nodiscard]] bool isWall(int i, int j) const {
+        return std::ranges::binary_search(m_walls, static_cast<std::uint32_t>(j * m_width + i));
+    }
     /// A diagonal of the canonical mesh is where i + j (of the patch) plus this is even: 0 or 1.
     [[nodiscard]] int parity() const { return m_parity; }
 
@@ -39,6 +46,7 @@ private:
     }
 
     std::vector<float> m_heights;
+    std::vector<std::uint32_t> m_walls;
     int m_width = 0;
     int m_height = 0;
     int m_stride = 0;

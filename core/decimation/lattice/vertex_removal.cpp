@@ -33,7 +33,8 @@ bool VertexRemoval::runFrom(const RegionPatch& patch, float limit, bool surface,
         const std::array<bool, 4> isOn{p.j == 0, p.j == patch.height() - 1, p.i == 0,
                                        p.i == patch.width() - 1};
         for (std::size_t side = 0; side < isOn.size(); ++side)
-            if (isOn[side] && freeSides[side] && std::count(isOn.begin(), isOn.end(), true) == 1)
+            if (isOn[side] && freeSides[side] && !patch.isWall(p.i, p.j) &&
+                std::count(isOn.begin(), isOn.end(), true) == 1)
                 m_state[v] = State::idle;
     }
     for (const std::int32_t v : seeds)
@@ -41,7 +42,7 @@ bool VertexRemoval::runFrom(const RegionPatch& patch, float limit, bool surface,
     return drain(stop);
 }
 
-/// Prepares a run with an empty queue; vertices of the outline are not removable.
+/// Prepares a run with an empty queue; vertices of the outline and beside walls are not removable.
 void VertexRemoval::begin(const RegionPatch& patch, float limit, bool surface, LatticeTriangulation& mesh) {
     m_surface = surface;
     m_patch = &patch;
@@ -51,7 +52,8 @@ void VertexRemoval::begin(const RegionPatch& patch, float limit, bool surface, L
     m_state.assign(mesh.vertexCount(), State::idle);
     for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
         const PatchVertex& p = mesh.vertex(static_cast<std::int32_t>(v));
-        if (p.i == 0 || p.j == 0 || p.i == patch.width() - 1 || p.j == patch.height() - 1)
+        if (p.i == 0 || p.j == 0 || p.i == patch.width() - 1 || p.j == patch.height() - 1 ||
+            patch.isWall(p.i, p.j))
             m_state[v] = State::fixed;
     }
 }

@@ -23,6 +23,7 @@ struct BorderSamples {
     double step = 1;
     std::uint64_t seed = 0;
     std::span<const std::uint32_t> extras;
+    std::span<const std::uint32_t> walls{}; ///< the same for points beside walls
 };
 
 /// The samples of one region. `heights` are (rect.width() × rect.height()) values, row by row, mm.
@@ -31,6 +32,8 @@ struct RegionSamples {
     double hx = 1;  ///< mm
     double hy = 1;
     std::span<const float> heights;
+    /// Points beside walls, as ascending offsets: they stay vertices, because that is how walls are drawn.
+    std::span<const std::uint32_t> walls{};
 };
 
 /// Border rule of the paper's method. Simplifies one border by its own samples only: distance to the line

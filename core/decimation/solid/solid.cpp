@@ -54,10 +54,18 @@ TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> s
 
 bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid) {
     const Grid& grid = zmap.grid();
-    return std::ranges::any_of(solid.vertices, [&grid](const Vec3& vertex) {
+    return std::ranges::any_of(solid.vertices, [&](const Vec3& vertex) {
         const int i = static_cast<int>(std::lround((vertex.x - grid.x0) / grid.hx));
         const int j = static_cast<int>(std::lround((vertex.y - grid.y0) / grid.hy));
-        return vertex.x != grid.x(i) || vertex.y != grid.y(j);
+        // A vertex on a wall belongs to one of the points around it.
+        const int around = zmap.walls().empty() ? 0 : 1;
+        for (int y = std::max(j - around, 0); y <= std::min(j + around, grid.ny - 1); ++y) {
+            for (int x = std::max(i - around, 0); x <= std::min(i + around, grid.nx - 1); ++x) {
+                if (Vec2(vertexAt(zmap, x, y)) == Vec2(vertex))
+                    return false;
+            }
+        }
+        return true;
     });
 }
 

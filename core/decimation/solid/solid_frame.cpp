@@ -25,9 +25,12 @@ SolidFrame::SolidFrame(const ZMapSnapshot& zmap)
     m_gapXY = std::max(gapAt(grid.x(0), grid.x(grid.nx - 1)), gapAt(grid.y(0), grid.y(grid.ny - 1)));
 }
 
+Vec2 SolidFrame::plan(std::uint32_t lattice) const {
+    return Vec2(vertexAt(*m_zmap, column(lattice), row(lattice)));
+}
+
 Vec3 SolidFrame::top(std::uint32_t lattice) const {
-    const double height = static_cast<double>(m_zmap->height(column(lattice), row(lattice)));
-    return {plan(lattice), m_zmap->stock().topZ() + height};
+    return vertexAt(*m_zmap, column(lattice), row(lattice));
 }
 
 bool SolidFrame::onFloor(std::uint32_t lattice) const {

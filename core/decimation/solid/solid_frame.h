@@ -36,9 +36,8 @@ public:
                static_cast<std::uint32_t>(i);
     }
 
-    [[nodiscard]] Vec2 plan(std::uint32_t lattice) const {
-        return {m_zmap->grid().x(column(lattice)), m_zmap->grid().y(row(lattice))};
-    }
+    /// Of the vertex that is this grid point: beside a wall, it is on the wall.
+    [[nodiscard]] Vec2 plan(std::uint32_t lattice) const;
     /// The point of the surface over a grid point.
     [[nodiscard]] Vec3 top(std::uint32_t lattice) const;
     [[nodiscard]] double floorZ() const { return m_zmap->stock().floorZ(); }

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "core/decimation/certified/certified_border.h"
 #include "core/decimation/certified/certified_decimator.h"
@@ -26,7 +28,11 @@ BorderLine leeBorder(const BorderSamples& border, const DecimationParameters& pa
 }
 
 BorderLine certifiedBorderLine(const BorderSamples& border, const DecimationParameters& parameters) {
-    return certifiedBorder(border.heights, borderAllowance(parameters), border.extras);
+    std::vector<std::uint32_t> kept;
+    std::ranges::set_union(border.extras, border.walls, std::back_inserter(kept));
+    BorderLine line = certifiedBorder(border.heights, borderAllowance(parameters), kept);
+    line.extras.assign(border.extras.begin(), border.extras.end());
+    return line;
 }
 
 constexpr std::array<std::string_view, 5> kCertifiedFields{"region", "period", "allowance", "borders",

@@ -185,8 +185,9 @@ RegionMeshPtr RefinedSurface::merged(const Layer& layer, std::size_t block, cons
     moment.read(rect, worker.heights);
     DecimationParameters parameters = m_surface.parameters();
     parameters.allowance = parts.front()->allowance;
-    return worker.merge.merge(grid(), {rect, moment.grid().hx, moment.grid().hy, worker.heights}, parts,
-                              {cells / 2, cells / 2}, parameters, stop);
+    const std::vector<std::uint32_t> walls = moment.walls().offsetsIn(rect);
+    return worker.merge.merge(grid(), {rect, moment.grid().hx, moment.grid().hy, worker.heights, walls},
+                              parts, {cells / 2, cells / 2}, parameters, stop);
 }
 
 void RefinedSurface::assemble() {

@@ -235,8 +235,9 @@ BorderLinePtr Surface::borderLine(std::size_t border, const ZMapSnapshot& moment
     const bool alongX = rect.height() == 1 && rect.width() > 1;
     std::vector<float> heights(static_cast<std::size_t>(rect.width() * rect.height()));
     moment.read(rect, heights);
+    const std::vector<std::uint32_t> walls = moment.walls().offsetsIn(rect);
     const BorderSamples samples{heights, alongX ? moment.grid().hx : moment.grid().hy,
-                                mixSeed(m_parameters.seed, kBorderSeeds, border), extras};
+                                mixSeed(m_parameters.seed, kBorderSeeds, border), extras, walls};
     DecimationParameters parameters = m_parameters;
     parameters.allowance = m_allowances.border(border);
     return std::make_shared<const BorderLine>(row(m_parameters.method).simplifyBorder(samples, parameters));
@@ -276,7 +277,8 @@ RegionMeshPtr Surface::decimated(std::size_t region, const std::array<BorderLine
     const IndexRect rect = grid().points(region);
     heights.resize(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()));
     moment.read(rect, heights);
-    const RegionSamples samples{rect, moment.grid().hx, moment.grid().hy, heights};
+    const std::vector<std::uint32_t> walls = moment.walls().offsetsIn(rect);
+    const RegionSamples samples{rect, moment.grid().hx, moment.grid().hy, heights, walls};
     DecimationParameters parameters = m_parameters;
     parameters.allowance = m_allowances.region(region);
     RegionMesh mesh = decimator.decimate(grid(), samples, borders,
