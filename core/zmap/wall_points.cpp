@@ -146,7 +146,8 @@ WallPoints::WallPoints(const ZMapSnapshot& zmap, const ZMapSnapshot& before, con
 const WallPoint* WallPoints::find(int i, int j) const {
     if (m_count == 0)
         return nullptr;
-    const WallTile* walls = tile(static_cast<std::size_t>(j / Tile::kSize * m_tilesX + i / Tile::kSize));
+    const WallTile* walls =
+        m_tiles[static_cast<std::size_t>(j / Tile::kSize * m_tilesX + i / Tile::kSize)].get();
     if (walls == nullptr)
         return nullptr;
     const int point = j % Tile::kSize * Tile::kSize + i % Tile::kSize;
@@ -160,7 +161,7 @@ std::vector<std::uint32_t> WallPoints::offsetsIn(const IndexRect& rect) const {
         return offsets;
     for (int tj = rect.j0 / Tile::kSize; tj <= (rect.j1 - 1) / Tile::kSize; ++tj) {
         for (int ti = rect.i0 / Tile::kSize; ti <= (rect.i1 - 1) / Tile::kSize; ++ti) {
-            const WallTile* walls = tile(static_cast<std::size_t>(tj * m_tilesX + ti));
+            const WallTile* walls = m_tiles[static_cast<std::size_t>(tj * m_tilesX + ti)].get();
             if (walls == nullptr)
                 continue;
             for (const WallPoint& wall : walls->points) {

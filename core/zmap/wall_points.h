@@ -45,9 +45,9 @@ public:
 
     [[nodiscard]] bool empty() const { return m_count == 0; }
     [[nodiscard]] std::size_t count() const { return m_count; }
-    /// Null: none.
-    [[nodiscard]] const WallTile* tile(std::size_t index) const {
-        return m_tiles.empty() ? nullptr : m_tiles[index].get();
+    /// Null: none. Equal pointers mean equal points.
+    [[nodiscard]] std::shared_ptr<const WallTile> tile(std::size_t index) const {
+        return m_tiles.empty() ? nullptr : m_tiles[index];
     }
     /// Null where point (i, j) is not beside a wall.
     [[nodiscard]] const WallPoint* find(int i, int j) const;

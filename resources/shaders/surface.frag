@@ -60,12 +60,16 @@ void main() {
     float north = heightAt(around, vec2(here.x, hi.y));
     vec2 slope = vec2(east - west, north - south) / ((hi - lo) / around.texel * around.cells * spacing);
     vec3 normal = normalize(vec3(-slope, 1.0));
+    // Beside a wall these differences lead across it: the triangle itself is as good there.
+    bool besideWall = wallOffsetOf(clamp(ivec2(position.xy / spacing + 0.5), ivec2(0), gridPoints - 1)).w > 0.5;
+    if (besideWall)
+        normal = normalize(cross(dFdx(position), dFdy(position)));
 
     // Valleys see less of the room, ridges more; deep pockets a little less again.
     vec2 wide = 1.6 * around.texel;
     float rim = 0.25 * (heightAt(around, here - vec2(wide.x, 0.0)) + heightAt(around, here + vec2(wide.x, 0.0)) +
                         heightAt(around, here - vec2(0.0, wide.y)) + heightAt(around, here + vec2(0.0, wide.y)));
-    float hollow = (rim - 0.25 * (west + east + south + north)) / (around.cells * spacing.x);
+    float hollow = besideWall ? 0.0 : (rim - 0.25 * (west + east + south + north)) / (around.cells * spacing.x);
     float open = clamp(1.0 - 0.55 * hollow, 0.62, 1.16) * mix(0.84, 1.0, position.z / stockHeight);
 
     float raw = smoothstep(-2e-3, -1e-3, position.z - stockHeight) * step(0.9999, normal.z);

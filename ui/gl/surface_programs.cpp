@@ -4,17 +4,21 @@
 namespace proveout {
 
 SurfacePrograms::SurfacePrograms(const char* heights)
-    : plain({{heights, "surface.vert"}, nullptr, {heights, "lighting.glsl", "surface.frag"}, {}}),
-      holes({{heights, "surface.vert"},
+    : plain({{heights, "walls.glsl", "surface.vert"},
              nullptr,
-             {"cut_out.glsl", heights, "lighting.glsl", "surface.frag"},
+             {heights, "walls.glsl", "lighting.glsl", "surface.frag"},
+             {}}),
+      holes({{heights, "walls.glsl", "surface.vert"},
+             nullptr,
+             {"cut_out.glsl", heights, "walls.glsl", "lighting.glsl", "surface.frag"},
              {"HOLES"}}),
-      wire({{heights, "surface.vert"},
+      wire({{heights, "walls.glsl", "surface.vert"},
             "wireframe.geom",
-            {"cut_out.glsl", heights, "lighting.glsl", "surface.frag"},
+            {"cut_out.glsl", heights, "walls.glsl", "lighting.glsl", "surface.frag"},
             {"HOLES", "WIREFRAME"}}),
-      walls(
-          {{heights, "surface.vert"}, nullptr, {"cut_out.glsl", heights, "lighting.glsl", "wall.frag"}, {}}) {
-}
+      walls({{heights, "walls.glsl", "surface.vert"},
+             nullptr,
+             {"cut_out.glsl", heights, "lighting.glsl", "wall.frag"},
+             {}}) {}
 
 } // namespace proveout

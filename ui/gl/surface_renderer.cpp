@@ -34,7 +34,8 @@ void SurfaceRenderer::setMostTextureBytes(std::size_t bytes) {
 }
 
 std::size_t SurfaceRenderer::bytes() const {
-    return m_heights.bytes() + m_parts.bytes() + m_surface.bytes() + m_wallBuffer.bytes();
+    return m_heights.bytes() + m_parts.bytes() + m_surface.bytes() + m_wallBuffer.bytes() +
+           m_wallOffsets.bytes();
 }
 
 bool SurfaceRenderer::fits(Gl& gl, const Grid& grid) const {
@@ -112,7 +113,7 @@ UploadCounts SurfaceRenderer::uploadWhole(Gl& gl, const Frame& frame, const Uplo
     UploadCounts counts;
     const HeightTexture::Uploaded heights = m_heights.update(gl, frame.zmap, budget);
     counts.tiles = heights.tiles;
-    counts.bytes = heights.bytes;
+    counts.bytes = heights.bytes + m_wallOffsets.update(gl, frame.zmap);
     counts.whole = heights.whole;
     counts.fits = heights.fits;
     if (!counts.whole || !counts.fits)
@@ -126,7 +127,7 @@ UploadCounts SurfaceRenderer::uploadParts(Gl& gl, const Frame& frame, const Uplo
     UploadCounts counts;
     const HeightTexture::Uploaded heights = m_parts.update(gl, frame.zmap, m_shares, budget);
     counts.tiles = heights.tiles;
-    counts.bytes = heights.bytes;
+    counts.bytes = heights.bytes + m_wallOffsets.update(gl, frame.zmap);
     counts.whole = heights.whole;
     counts.fits = heights.fits && m_partPrograms->valid();
     // The coarser points must be completed before the meshes are tried again, or updates in slices never end.
@@ -192,6 +193,7 @@ void SurfaceRenderer::setStock(Gl& gl, ShaderProgram& program, const SceneOption
         program.set(gl, "pageColumns", pages.columns);
         program.set(gl, "pageMargin", pages.margin);
     }
+    m_wallOffsets.set(gl, program, !m_sampled);
     program.set(gl, "gridPoints", glm::ivec2(m_grid.nx, m_grid.ny));
     program.set(gl, "columns", m_grid.nx);
     program.set(gl, "points", m_grid.nx * m_grid.ny);
@@ -247,6 +249,7 @@ void SurfaceRenderer::release(Gl& gl) {
     m_parts.release(gl);
     m_surface.release(gl);
     m_wallBuffer.release(gl);
+    m_wallOffsets.release(gl);
     m_wallsDue = true;
     m_sampled = m_sampling = false;
 }

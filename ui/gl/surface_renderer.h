@@ -14,6 +14,7 @@
 #include "ui/gl/surface_programs.h"
 #include "ui/gl/visible_pages.h"
 #include "ui/gl/wall_buffer.h"
+#include "ui/gl/wall_offsets.h"
 
 namespace proveout {
 
@@ -110,6 +111,7 @@ private:
     HeightTexture m_heights;
     SurfaceBuffer m_surface;
     WallBuffer m_wallBuffer;
+    WallOffsets m_wallOffsets;
     bool m_wallsDue = true; ///< the surface has changed since the walls were written
     Grid m_grid;
     float m_floor = -1;

@@ -36,12 +36,14 @@
 #include "core/decimation/solid/solid_above_floor.h"
 #include "core/decimation/solid/solid_frame.h"
 #include "core/decimation/solid/solid_on_floor.h"
+#include "core/decimation/solid/wall_caps.h"
 
 namespace proveout {
 
 TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                         const WorkContext& context) {
     const SolidFrame frame(zmap);
+    flipWallCaps(zmap, surface);
     const bool touches =
         std::any_of(surface.begin(), surface.end(), [&frame](const LatticeTriangle& triangle) {
             return frame.onFloor(triangle[0]) || frame.onFloor(triangle[1]) || frame.onFloor(triangle[2]);
