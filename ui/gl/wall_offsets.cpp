@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 
-constexpr std::int32_t kNone = -1;
+constexpr std::int32_t kNoPlace = -1;
 constexpr int kAcross = 8; ///< tiles along a side of a layer, as in walls.glsl
 constexpr int kPerLayer = kAcross * kAcross;
 constexpr int kSide = kAcross * Tile::kSize;
@@ -51,7 +51,7 @@ WallOffsets::Around WallOffsets::around(const ZMapSnapshot& moment, std::size_t 
 void WallOffsets::restart(Gl& gl, const ZMapSnapshot& moment) {
     m_grid = moment.grid();
     m_uploaded.assign(moment.tileCount(), {});
-    m_placeOf.assign(moment.tileCount(), kNone);
+    m_placeOf.assign(moment.tileCount(), kNoPlace);
     m_used = 0;
     bindTexture(gl, GL_TEXTURE_2D, m_places, GL_NEAREST);
     gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32I, moment.tilesX(), moment.tilesY(), 0, GL_RED_INTEGER, GL_INT,
@@ -115,12 +115,12 @@ std::size_t WallOffsets::update(Gl& gl, const ZMapSnapshot& moment) {
         if (now == m_uploaded[tile])
             continue;
         const bool has = std::ranges::any_of(now, [](const auto& walls) { return walls != nullptr; });
-        if (has && m_placeOf[tile] == kNone) {
+        if (has && m_placeOf[tile] == kNoPlace) {
             m_placeOf[tile] = static_cast<std::int32_t>(m_used++);
             moved = true;
         }
         m_uploaded[tile] = std::move(now);
-        if (m_placeOf[tile] != kNone)
+        if (m_placeOf[tile] != kNoPlace)
             changed.push_back(tile);
     }
     const int layersBefore = m_layers;

@@ -43,7 +43,7 @@ private:
     Grid m_grid;
     bool m_refused = false;
     std::vector<Around> m_uploaded;      ///< per tile
-    std::vector<std::int32_t> m_placeOf; ///< per tile; kNone: none
+    std::vector<std::int32_t> m_placeOf; ///< per tile; below 0: none
     std::size_t m_used = 0;
 };
 

@@ -37,13 +37,15 @@
 #include "core/decimation/solid/solid_frame.h"
 #include "core/decimation/solid/solid_on_floor.h"
 #include "core/decimation/solid/wall_caps.h"
+#include "core/decimation/solid/wall_simplifier.h"
 
 namespace proveout {
 
 TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                        const WorkContext& context) {
+                        const WorkContext& context, double allowance) {
     const SolidFrame frame(zmap);
     flipWallCaps(zmap, surface);
+    simplifyWalls(zmap, allowance, surface, context);
     const bool touches =
         std::any_of(surface.begin(), surface.end(), [&frame](const LatticeTriangle& triangle) {
             return frame.onFloor(triangle[0]) || frame.onFloor(triangle[1]) || frame.onFloor(triangle[2]);

@@ -29,9 +29,10 @@ inline constexpr double kPinchGap = 1e-4;
 /// sheets would touch are split and separated by kPinchGap, or by four steps of float32 if the coordinates
 /// are so large that STL could not hold the gap. Empty if nothing of the stock is left, or if the context was
 /// stopped. `surface` must cover the map without cracks (SurfaceSnapshot::triangles() of BorderRule::shared);
-/// moved in, its memory is reused for the solid. Any thread.
+/// moved in, its memory is reused for the solid. `allowance`: that of the surface, by which walls are
+/// simplified as well; 0: they keep all their points. Any thread.
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                                      const WorkContext& context = {});
+                                      const WorkContext& context = {}, double allowance = 0);
 
 /// Whether closeSolid() has split and separated vertices of this solid.
 [[nodiscard]] bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid);

@@ -159,6 +159,10 @@ public:
         return std::abs(surface - height(i, j));
     }
 
+    [[nodiscard]] bool isBesideWall(std::size_t i, std::size_t j) const {
+        return m_zmap.walls().find(static_cast<int>(i), static_cast<int>(j)) != nullptr;
+    }
+
     /// The distance of a point that no triangle covers.
     [[nodiscard]] double aboveFloor(std::size_t i, std::size_t j) const {
         return height(i, j) - (m_zmap.stock().topZ() + static_cast<double>(m_zmap.floor()));
@@ -201,6 +205,10 @@ double errorOfBand(const SolidTop& top, const RowBands& bands, std::size_t band,
     const std::size_t last = rows.last;
     std::vector<bool> covered((last + 1 - first) * top.columns());
     double largest = 0;
+    const auto note = [&](std::size_t i, std::size_t j, double distance) {
+        if (distance > largest && !top.isBesideWall(i, j))
+            largest = distance;
+    };
     for (const std::uint32_t triangle : bands.trianglesOf(band)) {
         const Corners at = *top.cornersOf(triangle);
         const auto reached = top.rowsOf(triangle);
@@ -211,13 +219,13 @@ double errorOfBand(const SolidTop& top, const RowBands& bands, std::size_t band,
                 if (!distance)
                     return;
                 covered[(j - first) * top.columns() + i] = true;
-                largest = std::max(largest, *distance);
+                note(i, j, *distance);
             });
     }
     for (std::size_t j = first; j <= last && !stop.stop_requested(); ++j)
         for (std::size_t i = 0; i < top.columns(); ++i)
             if (!covered[(j - first) * top.columns() + i])
-                largest = std::max(largest, top.aboveFloor(i, j));
+                note(i, j, top.aboveFloor(i, j));
     return largest;
 }
 

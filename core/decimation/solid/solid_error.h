@@ -15,8 +15,9 @@ namespace proveout {
 /// surface level: of any point of the canonical full mesh) to the triangles that face upwards, with
 /// coordinates rounded to `type`. Points on the outline of the stock, which is rounded too, are measured at
 /// the nearest point of the rounded one. Where there is no triangle, nothing of the solid is left, and the
-/// floor counts as its top. It is independent of how the solid was made. Any thread; a stopped context
-/// returns early, with the result up to that point.
+/// floor counts as its top. Points beside walls are left out: they may be on either side of one
+/// that is simplified (simplifyWalls()). It is independent of how the solid was made. Any thread; a stopped
+/// context returns early, with the result up to that point.
 [[nodiscard]] double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid,
                                        CoordinateType type, ErrorLevel level,
                                        const WorkContext& context = {});

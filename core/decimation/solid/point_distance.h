@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/geometry.h"
+
+namespace proveout {
+
+/// The distance of a point from a triangle.
+[[nodiscard]] double distanceToTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c);
+
+} // namespace proveout

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimation/solid/wall_simplifier.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+
+#include "core/decimation/solid/point_distance.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kFlat = 1e-3;     ///< of a cell: flatter triangles are not made, nor changed
+constexpr double kTurn = 0.9;      ///< cosine of the largest turn of a triangle
+constexpr double kCoplanar = 1e-5; ///< mm
+/// The vertical part of normals: up to the first, of walls; from the second on, of what is between them.
+constexpr double kSheet = 0.05;
+constexpr double kSlope = 0.65;
+constexpr int kMostPoints = 4096; ///< of the map, that are looked at for one triangle
+
+using Triangle = std::uint32_t; ///< its place in the list of those beside walls
+using Corners = std::array<Vec3, 3>;
+
+Vec3 normalOf(const Corners& corners) {
+    return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+}
+
+class WallSimplifier {
+public:
+    WallSimplifier(const ZMapSnapshot& zmap, double allowance, std::vector<LatticeTriangle>& surface)
+        : m_zmap(zmap), m_surface(surface), m_allowance(allowance), m_atWalls(kWallShare * allowance),
+          m_cell(std::max(zmap.grid().hx, zmap.grid().hy)) {
+        for (std::size_t t = 0; t < surface.size(); ++t)
+            add(t);
+    }
+
+    void run(const WorkContext& context) {
+        for (const auto& [vertex, star] : m_stars)
+            m_queue.push_back(vertex);
+        std::ranges::sort(m_queue); // so that the result does not depend on the order of the table
+        while (!m_queue.empty() && !context.stopped()) {
+            const std::uint32_t vertex = m_queue.front();
+            m_queue.pop_front();
+            if (!isAtBorder(vertex) && m_stars.contains(vertex))
+                tryRemove(vertex);
+        }
+        std::erase_if(m_surface, [](const LatticeTriangle& triangle) { return triangle[0] == triangle[1]; });
+    }
+
+private:
+    struct Beside {
+        std::size_t index;         ///< in the surface
+        std::vector<Vec3> removed; ///< points that this triangle is nearest to
+    };
+    /// What a removal would make of the triangles around a vertex.
+    struct Change {
+        std::uint32_t to = 0;
+        double error = std::numeric_limits<double>::infinity();
+        std::vector<Triangle> kept;
+        std::vector<LatticeTriangle> corners; ///< of the kept ones
+        std::vector<std::size_t> nearest;     ///< by removed point: of the kept ones
+    };
+
+    void add(std::size_t t) {
+        const auto number = static_cast<Triangle>(m_beside.size());
+        bool any = false;
+        for (const std::uint32_t vertex : m_surface[t]) {
+            if (m_zmap.walls().find(column(vertex), row(vertex)) == nullptr)
+                continue;
+            m_stars[vertex].push_back(number);
+            any = true;
+        }
+        if (any)
+            m_beside.push_back({t, {}});
+    }
+
+    [[nodiscard]] int column(std::uint32_t vertex) const {
+        return static_cast<int>(vertex % static_cast<std::uint32_t>(m_zmap.grid().nx));
+    }
+    [[nodiscard]] int row(std::uint32_t vertex) const {
+        return static_cast<int>(vertex / static_cast<std::uint32_t>(m_zmap.grid().nx));
+    }
+    [[nodiscard]] bool isAtBorder(std::uint32_t vertex) const {
+        const int i = column(vertex);
+        const int j = row(vertex);
+        return i == 0 || j == 0 || i == m_zmap.grid().nx - 1 || j == m_zmap.grid().ny - 1;
+    }
+    [[nodiscard]] Vec3 at(std::uint32_t vertex) const {
+        return vertexAt(m_zmap, column(vertex), row(vertex));
+    }
+    [[nodiscard]] Corners at(const LatticeTriangle& triangle) const {
+        return {at(triangle[0]), at(triangle[1]), at(triangle[2])};
+    }
+    [[nodiscard]] LatticeTriangle& corners(Triangle triangle) { return m_surface[m_beside[triangle].index]; }
+    [[nodiscard]] const LatticeTriangle& corners(Triangle triangle) const {
+        return m_surface[m_beside[triangle].index];
+    }
+    [[nodiscard]] static bool has(const LatticeTriangle& triangle, std::uint32_t vertex) {
+        return std::ranges::find(triangle, vertex) != triangle.end();
+    }
+
+    /// The vertices around one, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> ringOf(std::uint32_t vertex) const {
+        std::vector<std::uint32_t> ring;
+        for (const Triangle triangle : m_stars.at(vertex)) {
+            for (const std::uint32_t corner : corners(triangle)) {
+                if (corner != vertex)
+                    ring.push_back(corner);
+            }
+        }
+        std::ranges::sort(ring);
+        const auto rest = std::ranges::unique(ring);
+        ring.erase(rest.begin(), rest.end());
+        return ring;
+    }
+
+    void tryRemove(std::uint32_t vertex) {
+        const std::vector<std::uint32_t> ring = ringOf(vertex);
+        std::vector<Vec3> points{at(vertex)};
+        for (const Triangle triangle : m_stars.at(vertex))
+            points.insert(points.end(), m_beside[triangle].removed.begin(), m_beside[triangle].removed.end());
+        Change best;
+        for (const std::uint32_t to : ring) {
+            if (!m_stars.contains(to))
+                continue;
+            Change change = changeTo(vertex, to, ring, points);
+            if (change.error < best.error)
+                best = std::move(change);
+        }
+        if (best.error <= m_atWalls)
+            apply(vertex, best, points, ring);
+    }
+
+    /// With an infinite error where it is not possible.
+    [[nodiscard]] Change changeTo(std::uint32_t vertex, std::uint32_t to,
+                                  const std::vector<std::uint32_t>& ring,
+                                  const std::vector<Vec3>& points) const {
+        Change change;
+        const std::vector<std::uint32_t> other = ringOf(to);
+        std::vector<std::uint32_t> common;
+        std::ranges::set_intersection(ring, other, std::back_inserter(common));
+        if (common.size() != 2)
+            return change; // else an edge would have more than two triangles
+        for (const Triangle triangle : m_stars.at(vertex)) {
+            LatticeTriangle now = corners(triangle);
+            if (has(now, to))
+                continue;
+            const Corners before = at(now);
+            std::ranges::replace(now, vertex, to);
+            if (!mayBecome(before, at(now), at(vertex)))
+                return change;
+            change.kept.push_back(triangle);
+            change.corners.push_back(now);
+        }
+        change.to = to;
+        change.error = 0;
+        for (const Vec3& point : points) {
+            double least = std::numeric_limits<double>::infinity();
+            std::size_t nearest = 0;
+            for (std::size_t k = 0; k < change.corners.size(); ++k) {
+                const Corners now = at(change.corners[k]);
+                if (!isWall(now))
+                    continue; // the point may be on it, but not on its edge
+                const double distance = distanceToTriangle(point, now[0], now[1], now[2]);
+                if (distance < least) {
+                    least = distance;
+                    nearest = k;
+                }
+            }
+            change.nearest.push_back(nearest);
+            change.error = std::max(change.error, least);
+            if (change.error > m_atWalls)
+                break;
+        }
+        return change;
+    }
+
+    /// Whether it is so flat that its normal says nothing.
+    [[nodiscard]] bool isFlat(const Corners& corners) const {
+        double longest = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
+        return !(glm::length(normalOf(corners)) > kFlat * m_cell * longest);
+    }
+
+    [[nodiscard]] bool mayBecome(const Corners& before, const Corners& now, const Vec3& removed) const {
+        const Vec3 was = normalOf(before);
+        const Vec3 is = normalOf(now);
+        const double size = glm::length(is);
+        if (isFlat(before) || isFlat(now) || glm::dot(was, is) < kTurn * size * glm::length(was))
+            return false;
+        if (isWall(now))
+            return true;
+        if (is.z < kSlope * size)
+            return false; // turned over, or in a tip that is narrower than cells, from one side of the wall
+                          // to the other
+        // On one plane, nothing changes for the points under it.
+        const bool flat = std::abs(glm::dot(is, removed - now[0])) <= kCoplanar * size;
+        return flat || isNearPoints(now, is);
+    }
+
+    [[nodiscard]] static bool isWall(const Corners& corners) {
+        const Vec3 normal = normalOf(corners);
+        return std::abs(normal.z) < kSheet * glm::length(normal);
+    }
+
+    /// Whether the points of the map under a triangle are within the allowance of it.
+    [[nodiscard]] bool isNearPoints(const Corners& corners, const Vec3& normal) const {
+        const Grid& grid = m_zmap.grid();
+        Box3 box;
+        for (const Vec3& corner : corners)
+            box.add(corner);
+        const int i0 = std::max(static_cast<int>(std::ceil((box.lo.x - grid.x0) / grid.hx)), 0);
+        const int j0 = std::max(static_cast<int>(std::ceil((box.lo.y - grid.y0) / grid.hy)), 0);
+        const int i1 = std::min(static_cast<int>(std::floor((box.hi.x - grid.x0) / grid.hx)), grid.nx - 1);
+        const int j1 = std::min(static_cast<int>(std::floor((box.hi.y - grid.y0) / grid.hy)), grid.ny - 1);
+        if (std::int64_t{i1 - i0 + 1} * (j1 - j0 + 1) > kMostPoints)
+            return false;
+        for (int j = j0; j <= j1; ++j) {
+            for (int i = i0; i <= i1; ++i) {
+                const Vec2 place(grid.x(i), grid.y(j));
+                if (!covers(corners, place))
+                    continue;
+                const Vec2 away = place - Vec2(corners[0]);
+                const double z = corners[0].z - (normal.x * away.x + normal.y * away.y) / normal.z;
+                const double height = m_zmap.stock().topZ() + static_cast<double>(m_zmap.height(i, j));
+                if (std::abs(z - height) > m_allowance)
+                    return false;
+            }
+        }
+        return true;
+    }
+    [[nodiscard]] static bool covers(const Corners& corners, const Vec2& place) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec2 side = Vec2(corners[(k + 1) % 3]) - Vec2(corners[k]);
+            const Vec2 to = place - Vec2(corners[k]);
+            if (side.x * to.y - side.y * to.x < 0)
+                return false;
+        }
+        return true;
+    }
+
+    void apply(std::uint32_t vertex, const Change& change, const std::vector<Vec3>& points,
+               const std::vector<std::uint32_t>& ring) {
+        for (const Triangle triangle : m_stars.at(vertex)) {
+            m_beside[triangle].removed.clear();
+            if (!has(corners(triangle), change.to))
+                continue;
+            for (const std::uint32_t corner : corners(triangle)) {
+                if (const auto star = m_stars.find(corner); corner != vertex && star != m_stars.end())
+                    std::erase(star->second, triangle);
+            }
+            corners(triangle) = {vertex, vertex, vertex}; // it is gone
+        }
+        std::vector<Triangle>& star = m_stars.at(change.to);
+        for (std::size_t k = 0; k < change.kept.size(); ++k) {
+            corners(change.kept[k]) = change.corners[k];
+            star.push_back(change.kept[k]);
+        }
+        for (std::size_t k = 0; k < points.size(); ++k)
+            m_beside[change.kept[change.nearest[k]]].removed.push_back(points[k]);
+        m_stars.erase(vertex);
+        for (const std::uint32_t neighbour : ring) {
+            if (m_stars.contains(neighbour))
+                m_queue.push_back(neighbour);
+        }
+    }
+
+    const ZMapSnapshot& m_zmap;
+    std::vector<LatticeTriangle>& m_surface;
+    double m_allowance;
+    double m_atWalls;
+    double m_cell;
+    std::vector<Beside> m_beside;
+    std::unordered_map<std::uint32_t, std::vector<Triangle>> m_stars; ///< of points beside walls
+    std::deque<std::uint32_t> m_queue;
+};
+
+} // namespace
+
+void simplifyWalls(const ZMapSnapshot& zmap, double allowance, std::vector<LatticeTriangle>& surface,
+                   const WorkContext& context) {
+    if (!zmap.walls().empty() && allowance > 0)
+        WallSimplifier(zmap, allowance, surface).run(context);
+}
+
+} // namespace proveout
