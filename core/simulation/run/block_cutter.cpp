@@ -156,10 +156,10 @@ public:
         continueAt(first);
     }
     void continueAt(std::size_t index) { m_last = index > 0 ? of(index - 1) : CutterMotion(); }
-    /// The motion that follows the last one.
-    const CutterMotion& next(std::size_t index, std::size_t block) {
+    /// The motion that follows the last one, marked by 1 + its block or another number.
+    const CutterMotion& next(std::size_t index, std::size_t marked) {
         CutterMotion one = of(index);
-        one.mark = static_cast<std::uint32_t>(block + 1);
+        one.mark = static_cast<std::uint32_t>(marked + 1);
         one.continues = continues(m_last, one);
         return m_last = one;
     }
@@ -409,6 +409,13 @@ std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t firs
     std::vector<CutterMotion> motions;
     addMotions(program, first, last, setup, tools, motions);
     return motions;
+}
+
+void addCutterMotions(const Program& program, Program::MotionRange range, const Setup& setup,
+                      const ToolChoice& tools, std::vector<CutterMotion>& motions) {
+    CutterMotions inTurn(program, range.first, setup, tools);
+    for (std::size_t index = range.first; index < range.last; ++index)
+        motions.push_back(inTurn.next(index, index));
 }
 
 bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,

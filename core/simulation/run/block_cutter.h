@@ -51,6 +51,10 @@ cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size
                                                       std::size_t last, const Setup& setup,
                                                       const ToolChoice& tools);
 
+/// Adds the motions of a range of a program in the same way, but marked by 1 + their index.
+void addCutterMotions(const Program& program, Program::MotionRange range, const Setup& setup,
+                      const ToolChoice& tools, std::vector<CutterMotion>& motions);
+
 /// Cuts the blocks [first, last) at once, where only heights are needed, with the same result as cutBlock().
 /// False if it was stopped; the map is unchanged then.
 [[nodiscard]] bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last,
