@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace proveout {
@@ -144,6 +146,20 @@ TEST(ZMapSnapshot, VolumeIsTheIntegralOverCells) {
                      20;
     }
     EXPECT_NEAR(moment.volume(), cells, 1e-2);
+}
+
+TEST(ZMapSnapshot, KeepsRimsWithItsHeights) {
+    ZMapSnapshot moment = freshMap().snapshot();
+    EXPECT_TRUE(moment.rims().empty());
+    RimMap rims(moment.tileCount());
+    rims.edit(3) = std::make_shared<RimTile>(RimTile{{{RimEdge{5, 7, true}.index(), 100, 0, -1, 0, 1}}});
+    moment.setRims(rims);
+    const ZMapSnapshot copy = moment;
+    moment.setRims({});
+    EXPECT_TRUE(moment.rims().empty());
+    EXPECT_EQ(copy.rims()[0], nullptr);
+    EXPECT_EQ(copy.rims()[3], std::as_const(rims)[3]);
+    EXPECT_TRUE(ZMap(copy).snapshot().rims().empty()) << "the next cut may move them";
 }
 
 TEST(Tile, RefreshesItsMaximum) {
