@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/run/rim_finder.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/cutting/cut/tile_rims.h"
+#include "core/simulation/run/block_cutter.h"
+#include "core/simulation/run/frame.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kMotionsOfLook = 1024;
+/// Tiles between two reports of progress.
+constexpr std::size_t kPortion = 256;
+
+std::size_t motionsOf(const Program& program, std::size_t blocks) {
+    return blocks == 0 ? 0 : program.blockMotions(blocks - 1).last;
+}
+
+} // namespace
+
+ZMapSnapshot RimFinder::find(const Frame& moment, const WorkContext& context) {
+    if (m_setup != moment.setup)
+        restart(moment);
+    else if (m_program != moment.program)
+        follow(moment);
+    const std::size_t motions = motionsOf(*m_program, moment.block);
+    ZMapSnapshot zmap = moment.zmap;
+    const bool done = readMotions(motions, context.stop) && findTiles(zmap, motions, context);
+    zmap.setRims(done ? m_rims : RimMap());
+    return zmap;
+}
+
+void RimFinder::restart(const Frame& moment) {
+    const ZMapSnapshot& zmap = moment.zmap;
+    const bool isBox = moment.setup->shape.body == nullptr;
+    m_uncut = isBox ? nullptr : topOf(zmap.stock(), moment.setup->shape, zmap.grid());
+    m_index = MotionIndex(zmap.stock(), zmap.grid());
+    m_rims = RimMap(zmap.tileCount());
+    m_ends.assign(zmap.tileCount(), kUnknown);
+    m_tools = ToolChoice(*moment.program, *moment.setup);
+    m_program = moment.program;
+    m_setup = moment.setup;
+}
+
+void RimFinder::follow(const Frame& moment) {
+    const ToolChoice tools(*moment.program, *m_setup);
+    // A different tool in the spindle changes every block, though no block reads differently.
+    const std::size_t kept =
+        tools.assumed() == m_tools.assumed() ? m_program->firstDifference(*moment.program) : 0;
+    const std::size_t motions = motionsOf(*moment.program, kept);
+    m_index.truncate(motions);
+    for (std::uint32_t& end : m_ends)
+        if (end > motions)
+            end = kUnknown;
+    m_tools = tools;
+    m_program = moment.program;
+}
+
+bool RimFinder::readMotions(std::size_t motions, const std::stop_token& stop) {
+    std::vector<CutterMotion> some;
+    while (m_index.motionCount() < motions && !stop.stop_requested()) {
+        const std::size_t first = m_index.motionCount();
+        some.clear();
+        addCutterMotions(*m_program, {first, std::min(first + kMotionsOfLook, motions)}, *m_setup, m_tools,
+                         some);
+        for (const CutterMotion& one : some)
+            m_index.append(one);
+    }
+    return !stop.stop_requested();
+}
+
+bool RimFinder::findTiles(const ZMapSnapshot& zmap, std::size_t motions, const WorkContext& context) {
+    const std::vector<std::size_t> tiles = outdatedTiles(motions);
+    std::vector<RimTilePtr> found(kPortion);
+    for (std::size_t first = 0; first < tiles.size(); first += kPortion) {
+        const auto portion = std::span(tiles).subspan(first, std::min(kPortion, tiles.size() - first));
+        inParallel(portion.size(),
+                   [&](std::size_t k) { found[k] = rimsOf(zmap, portion[k], motions, context.stop); });
+        if (context.stopped())
+            return false;
+        for (std::size_t k = 0; k < portion.size(); ++k)
+            adopt(portion[k], std::move(found[k]), m_index.endOver(portion[k], motions));
+        context.report(static_cast<double>(first + portion.size()) / static_cast<double>(tiles.size()));
+    }
+    return true;
+}
+
+std::vector<std::size_t> RimFinder::outdatedTiles(std::size_t motions) const {
+    std::vector<std::size_t> tiles;
+    for (std::size_t tile = 0; tile < m_ends.size(); ++tile)
+        if (m_index.endOver(tile, motions) != m_ends[tile])
+            tiles.push_back(tile);
+    return tiles;
+}
+
+RimTilePtr RimFinder::rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::size_t motions,
+                             const std::stop_token& stop) const {
+    const auto ranges = m_index.over(tile, motions);
+    const bool isUncutBox = ranges.empty() && m_uncut == nullptr;
+    if (stop.stop_requested() || isUncutBox || !mayHaveRims(zmap, tile))
+        return nullptr;
+    std::vector<CutterMotion> near;
+    for (const Program::MotionRange& range : ranges)
+        addCutterMotions(*m_program, range, *m_setup, m_tools, near);
+    return rimsOfTile(zmap, tile, m_uncut.get(), near, stop);
+}
+
+void RimFinder::adopt(std::size_t tile, RimTilePtr rims, std::size_t end) {
+    m_ends[tile] = static_cast<std::uint32_t>(end);
+    const RimTilePtr& last = std::as_const(m_rims)[tile];
+    if (rims == last || (rims != nullptr && last != nullptr && *rims == *last))
+        return;
+    m_rims.edit(tile) = std::move(rims);
+}
+
+} // namespace proveout

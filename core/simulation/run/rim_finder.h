@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the rims of any moment of a simulation.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/work_context.h"
+#include "core/nc/program/program.h"
+#include "core/simulation/run/motion_index.h"
+#include "core/simulation/setup/setup.h"
+#include "core/simulation/setup/tool_choice.h"
+#include "core/zmap/stock_shape.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+struct Frame;
+
+/// The rims of a tile are a function of the motions that may have lowered it and its surroundings. So only
+/// tiles over which other motions were cut than in the moment for which they were found last are looked at
+/// again, wherever in the program that was, and if it was edited since then. Owned by one thread, which need
+/// not be that of the simulation; works on tiles in parallel inside.
+class RimFinder {
+public:
+    /// The z-map of a moment, with its rims; they are not known if it was stopped. Tiles with the same rims
+    /// as in the last result keep their pointers. Tiles that were found before a stop count for the next
+    /// call.
+    [[nodiscard]] ZMapSnapshot find(const Frame& moment, const WorkContext& context = {});
+
+private:
+    void restart(const Frame& moment);
+    /// Keeps what the last program has in common with that of the moment.
+    void follow(const Frame& moment);
+    /// Both are false if they were stopped; `motions` of the program have been cut.
+    bool readMotions(std::size_t motions, const std::stop_token& stop);
+    bool findTiles(const ZMapSnapshot& zmap, std::size_t motions, const WorkContext& context);
+    [[nodiscard]] std::vector<std::size_t> outdatedTiles(std::size_t motions) const;
+    [[nodiscard]] RimTilePtr rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::size_t motions,
+                                    const std::stop_token& stop) const;
+    void adopt(std::size_t tile, RimTilePtr rims, std::size_t end);
+
+    std::shared_ptr<const Setup> m_setup;     ///< of the last moment; null: there was none
+    std::unique_ptr<const StockTop> m_uncut;  ///< null: the whole box
+    std::shared_ptr<const Program> m_program; ///< that of the index
+    ToolChoice m_tools;
+    MotionIndex m_index;
+    RimMap m_rims;
+    std::vector<std::uint32_t> m_ends; ///< by tile: MotionIndex::endOver() of the motions of its rims
+};
+
+} // namespace proveout
