@@ -32,6 +32,7 @@
 #include "core/simulation/records/block_provenance.h"
 #include "core/simulation/records/block_records.h"
 #include "core/simulation/run/interpretation.h"
+#include "core/simulation/run/rim_finder.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/setup/tool_choice.h"
 
@@ -48,6 +49,7 @@ struct SimulateOptions {
     MeshOutputs meshes;
     BoxOutput box;
     std::string mesh = "decimated";
+    std::string rims = "off";
     std::string records;
     std::string stock;
     bool json = false;
@@ -59,12 +61,20 @@ struct Seconds {
     double interpret = 0;
     double allocate = 0;
     double cut = 0;
+    double rims = 0;
     double decimate = 0;
     double evaluate = 0; ///< findings, totals, machine times, the error of the surface
     double write = 0;
     double box = 0;
     double total = 0;
 };
+
+std::size_t rimCount(const RimMap& rims) {
+    std::size_t count = 0;
+    for (std::size_t tile = 0; tile < rims.size(); ++tile)
+        count += rims[tile] == nullptr ? 0 : rims[tile]->rims.size();
+    return count;
+}
 
 /// One run of the command; each part adds its errors to the report.
 class SimulateRun {
@@ -77,6 +87,7 @@ public:
         writeMaps();
         m_options.box.run(*m_program, m_job.setup, m_frame.block, m_report);
         m_seconds.box = lap();
+        findRims();
         if (!decimate() || !writeMeshes())
             return failed();
         m_seconds.total = m_lapped;
@@ -295,6 +306,12 @@ private:
         return true;
     }
 
+    void findRims() {
+        if (m_options.rims == "on")
+            m_frame.zmap = RimFinder().find(m_frame);
+        m_seconds.rims = lap();
+    }
+
     /// Makes the surface if an output needs it; false if there is not enough memory for it.
     bool decimate() {
         if (!m_options.json && !m_options.meshes.wanted())
@@ -376,6 +393,7 @@ private:
               {"interpret", m_seconds.interpret},
               {"allocate", m_seconds.allocate},
               {"cut", m_seconds.cut},
+              {"rims", m_seconds.rims},
               {"decimate", m_seconds.decimate},
               {"evaluate", m_seconds.evaluate},
               {"write", m_seconds.write},
@@ -388,6 +406,8 @@ private:
              std::llround(m_programMemory.with(expectedMapBytes(grid, scheduled(), mapOutputs())))},
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
+        if (m_options.rims == "on")
+            out["rims"] = rimCount(m_frame.zmap.rims());
         out["records"] = totalsAsJson(m_totals, *m_program, m_frame.setup);
         m_options.meshes.addTo(out, m_surface.written());
         if (m_options.box.wanted())
@@ -463,6 +483,9 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         ->check(CLI::IsMember({"decimated", "full"}))
         ->type_name("M");
     options->box.addTo(*command);
+    command->add_option("--rims", options->rims, "Find where walls stand between grid points (off)")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->type_name("on|off");
     command->add_option("--records", options->records, "Write one row per motion block (CSV)")
         ->type_name("F.csv");
     command

@@ -181,6 +181,19 @@ TEST_F(CliSimulate, MessagesOfAProgramThatIsReadPrecedeThoseOfItsSetup) {
     }
 }
 
+TEST_F(CliSimulate, FindsRimsOnRequest) {
+    EXPECT_FALSE(simulate("--json").json().contains("rims"));
+    const auto off = simulate("--json --rims off --zmap off.npy --stl off.stl");
+    EXPECT_EQ(off.exitCode, 0) << off.err;
+    EXPECT_FALSE(off.json().contains("rims"));
+    const auto on = simulate("--json --rims on --zmap on.npy --stl on.stl");
+    EXPECT_EQ(on.exitCode, 0) << on.err;
+    EXPECT_GT(on.json()["rims"], 0) << on.out; // of the slot's sides
+    EXPECT_EQ(read("on.npy"), read("off.npy"));
+    EXPECT_EQ(simulate("--json --rims on --until 1").json()["rims"], 0);
+    EXPECT_EQ(simulate("--rims maybe").exitCode, 3);
+}
+
 TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
     const auto done = simulate("--json");
     ASSERT_EQ(done.exitCode, 0) << done.err;
@@ -190,7 +203,7 @@ TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
         EXPECT_TRUE(json.contains(key)) << key;
     double sum = 0;
     for (const char* phase :
-         {"prepare", "interpret", "allocate", "cut", "decimate", "evaluate", "write", "box"}) {
+         {"prepare", "interpret", "allocate", "cut", "rims", "decimate", "evaluate", "write", "box"}) {
         EXPECT_GE(json["seconds"].value(phase, -1.0), 0) << phase;
         sum += json["seconds"].value(phase, 0.0);
     }
