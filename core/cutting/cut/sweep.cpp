@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/cutting/rows/arc_row.h"
+#include "core/cutting/rows/circle_crossing.h"
 #include "core/cutting/rows/straight_row.h"
 
 namespace proveout {
@@ -129,14 +130,35 @@ double Sweep::levelEnvelope(const Vec2& point) const {
     return m_straight.z + m_whole->height(glm::length(to - along * m_straight.along));
 }
 
-double Sweep::envelope(double x, double y) const {
+double Sweep::envelope(double x, double y, double known) const {
     const Vec2 point = Vec2(x, y) - Vec2(m_origin);
     if (m_whole)
         return levelEnvelope(point);
+    if (m_arc && isRoundOverGround(m_path))
+        return roundEnvelope(point, known);
     double lowest = kInfinity;
     for (const ConvexProfile& profile : m_profiles)
         lowest = std::min(lowest, m_arc ? arcEnvelope(profile, m_path, m_parts, point)
                                         : lowestContact(profile, m_straight, point).z);
+    return lowest;
+}
+
+/// Over a helix the nearest place is a good bound, which makes the search short.
+double Sweep::roundEnvelope(const Vec2& point, double known) const {
+    const Vec3 tip = nearestPlace(m_path, point);
+    const double distance = glm::distance(point, Vec2(tip));
+    if (distance > m_rim)
+        return kInfinity;
+    double lowest = known;
+    for (const ConvexProfile& profile : m_profiles)
+        if (distance <= profile.rim)
+            lowest = std::min(lowest, tip.z + profile.height(distance));
+    if (level())
+        return lowest;
+    for (const ConvexProfile& profile : m_profiles)
+        for (const ArcPart& part : m_parts)
+            if (part.lowestZ + profile.height(std::min(distance, profile.rim)) < lowest)
+                lowest = arcPartEnvelope(profile, m_path, part, point, lowest);
     return lowest;
 }
 
@@ -146,6 +168,19 @@ double Sweep::beside(const Vec2& point) const {
         return m_path.beside(local);
     const Vec2 to = local - m_straight.from;
     return to.y * m_straight.along.x - to.x * m_straight.along.y;
+}
+
+void Sweep::findCrossing(const EdgeLine& line, EdgeCrossing& first) const {
+    if (!(lowest() < line.highest()))
+        return;
+    EdgeLine local = line;
+    local.from -= Vec2(m_origin);
+    for (const ConvexProfile& profile : m_profiles) {
+        if (m_arc)
+            proveout::findCrossing(profile, m_path, m_parts, local, first);
+        else
+            proveout::findCrossing(profile, m_straight, local, first);
+    }
 }
 
 Columns Sweep::row(const RowPoints& row, const float* heights, float* out) const {

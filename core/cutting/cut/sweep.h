@@ -2,6 +2,7 @@
 // One motion of one cutter, prepared for evaluation row by row.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "core/cutting/profiles/level_profile.h"
 #include "core/cutting/profiles/row_points.h"
 #include "core/cutting/rows/arc_sweep.h"
+#include "core/cutting/rows/edge_crossing.h"
 #include "core/cutting/rows/straight_sweep.h"
 #include "core/nc/program/motion.h"
 
@@ -50,10 +52,14 @@ public:
     /// The part of the band y0 <= y <= y1 that may be under the cutter.
     [[nodiscard]] Span bandSpan(double y0, double y1) const;
 
-    /// The envelope over one point; +infinity where the cutter never comes.
-    [[nodiscard]] double envelope(double x, double y) const;
+    /// The envelope over one point; +infinity where the cutter never comes. If it is not below `known`, any
+    /// height that is not either.
+    [[nodiscard]] double envelope(double x, double y,
+                                  double known = std::numeric_limits<double>::infinity()) const;
     /// The distance of a point from the path over ground, mm, positive to the left of it.
     [[nodiscard]] double beside(const Vec2& point) const;
+    /// Updates `first` by the first place where the envelope is below the line, as findCrossing().
+    void findCrossing(const EdgeLine& line, EdgeCrossing& first) const;
     /// Writes the envelope over a row of points into `out`, which holds +infinity. Returns the points that
     /// were evaluated; all others keep their infinity. `heights` are those of the z-map: points that surely
     /// keep theirs may be skipped.
@@ -65,6 +71,7 @@ private:
 
     [[nodiscard]] bool level() const;
     [[nodiscard]] double levelEnvelope(const Vec2& point) const;
+    [[nodiscard]] double roundEnvelope(const Vec2& point, double known) const;
 
     std::vector<ConvexProfile> m_profiles;
     std::shared_ptr<const LevelProfile> m_whole; ///< of lines and circles at one height
