@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cutting/cut/tile_rims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/cutting/cut/falling_edges.h"
+#include "core/cutting/cut/stock_crossing.h"
+#include "core/cutting/cut/sweep.h"
+
+namespace proveout {
+
+namespace {
+
+/// How far below the plateau a surface counts as beyond the wall, and the least height of a wall, as slopes
+/// over the length of an edge.
+constexpr double kBelowPlateau = kWallSlope / 4;
+constexpr double kLeastWall = kWallSlope / 2;
+
+/// Cutters this near, mm, may have cut a point in single precision.
+constexpr double kNear = 1e-4;
+
+/// An area in plan.
+struct Area {
+    Vec2 lo;
+    Vec2 hi;
+
+    [[nodiscard]] bool meets(const Box3& box) const {
+        return box.lo.x <= hi.x + kNear && box.hi.x >= lo.x - kNear && box.lo.y <= hi.y + kNear &&
+               box.hi.y >= lo.y - kNear;
+    }
+};
+
+Area areaOf(const EdgeLine& line) {
+    const Vec2 end = line.at(line.length);
+    return {glm::min(line.from, end), glm::max(line.from, end)};
+}
+
+/// The exact surface near one edge.
+class Surface {
+public:
+    Surface(const ZMapSnapshot& zmap, const StockTop* uncut)
+        : m_floor(-zmap.stock().height), m_uncut(uncut) {}
+
+    /// The lowest one first.
+    void add(const Sweep& sweep) { m_sweeps.push_back(&sweep); }
+    void clear() { m_sweeps.clear(); }
+
+    /// Relative to the top of the stock.
+    [[nodiscard]] double height(const Vec2& place) const {
+        double height = m_uncut == nullptr ? 0 : std::min(0.0, m_uncut->height(place));
+        for (const Sweep* sweep : m_sweeps) {
+            if (!(sweep->lowest() < height))
+                break;
+            height = std::min(height, sweep->envelope(place.x, place.y, height));
+        }
+        return std::max(height, m_floor);
+    }
+
+    /// The first place where it is below a line.
+    [[nodiscard]] EdgeCrossing crossing(const EdgeLine& line) const {
+        EdgeCrossing first;
+        if (m_uncut != nullptr)
+            first = crossingWithStock(*m_uncut, line);
+        for (const Sweep* sweep : m_sweeps)
+            sweep->findCrossing(line, first);
+        return first;
+    }
+
+private:
+    double m_floor;
+    const StockTop* m_uncut;
+    std::vector<const Sweep*> m_sweeps;
+};
+
+/// The distance, mm, at which the surface on either side of a wall is measured: more than coordinates are
+/// rounded by.
+double besideWall(const EdgeLine& line) {
+    const double largest = std::max(std::abs(line.from.x), std::abs(line.from.y));
+    return 2e-8 + 8 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+/// A crossing is never late, but may be early by some nanometres across the wall, which is more along an edge
+/// that meets it at a small angle: moves it to where the surface is below the line just after it.
+double settled(const Surface& surface, const EdgeLine& line, double place, double beside) {
+    const auto below = [&](double at) { return surface.height(line.at(at)) < line.heightAt(at); };
+    const double latest = place + 1e-2 * line.length;
+    double above = place;
+    double after = place + beside;
+    while (after < line.length && !below(after)) {
+        above = after;
+        after = std::min(place + 4 * (after - place), line.length);
+        if (after > latest)
+            return place;
+    }
+    if (above == place)
+        return place;
+    while (after - above > beside / 4) {
+        const double middle = (above + after) / 2;
+        (below(middle) ? after : above) = middle;
+    }
+    return above;
+}
+
+std::int16_t inUnits(double part) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(part, -1.0, 1.0) * 32767));
+}
+
+std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Surface& surface) {
+    const EdgeCrossing crossing = surface.crossing(line);
+    if (!crossing.found())
+        return std::nullopt;
+    const double beside = besideWall(line);
+    const double place = settled(surface, line, crossing.place, beside);
+    const double top = place > beside ? surface.height(line.at(place - beside)) : edge.high;
+    const double bottom = place + beside < line.length ? surface.height(line.at(place + beside)) : edge.low;
+    if (!(top - bottom > kLeastWall * line.length))
+        return std::nullopt;
+    const double part = edge.reversed ? 1 - place / line.length : place / line.length;
+    Rim rim{};
+    rim.edge = edge.edge.index();
+    rim.place = static_cast<std::uint16_t>(std::clamp(std::round(part * 65536), 0.0, 65535.0));
+    rim.top = static_cast<float>(top);
+    rim.bottom = static_cast<float>(bottom);
+    rim.normalX = inUnits(crossing.outwards.x);
+    rim.normalY = inUnits(crossing.outwards.y);
+    return rim;
+}
+
+/// The line a little below the plateau at the high end of an edge, which may fall towards the wall. A plateau
+/// that rises may be as short as an edge, so that nothing rises beyond it. At the low end the surface is
+/// below the line.
+EdgeLine lineBelowPlateau(const FallingEdge& edge, const Grid& grid, const IndexRect& tile) {
+    const bool alongY = edge.edge.alongY;
+    const double length = alongY ? grid.hy : grid.hx;
+    const int ahead = edge.reversed ? 1 : 0;
+    const int i = tile.i0 + edge.edge.i + (alongY ? 0 : ahead);
+    const int j = tile.j0 + edge.edge.j + (alongY ? ahead : 0);
+    const double direction = edge.reversed ? -1 : 1;
+    EdgeLine line;
+    line.from = {grid.x(i), grid.y(j)};
+    line.along = alongY ? Vec2(0, direction) : Vec2(direction, 0);
+    line.length = length;
+    line.height = edge.high - kBelowPlateau * length;
+    line.fall = std::max(edge.fallBefore / length, 0.0);
+    return line;
+}
+
+/// A quick test before the sweep is made.
+bool mayReach(const CutterMotion& motion, const Area& area) {
+    if (motion.cutter == nullptr)
+        return false;
+    const Motion& path = motion.motion;
+    Box3 box;
+    box.add(path.start);
+    box.add(path.end);
+    if (path.kind == MotionKind::arc)
+        for (const Vec3& place : {path.start, path.end}) {
+            const Vec3 reach(glm::distance(place, path.centre));
+            box.add(path.centre - reach);
+            box.add(path.centre + reach);
+        }
+    const Vec3 rim(motion.cutter->radius() + kNear);
+    box.lo -= rim;
+    box.hi += rim;
+    return area.meets(box);
+}
+
+/// The lowest one first.
+std::vector<Sweep> sweepsOver(const ZMapSnapshot& zmap, const IndexRect& tile,
+                              std::span<const CutterMotion> motions) {
+    const Grid& grid = zmap.grid();
+    const Area area{{grid.x(tile.i0), grid.y(tile.j0)}, {grid.x(tile.i1), grid.y(tile.j1)}};
+    std::vector<Sweep> sweeps;
+    for (const CutterMotion& motion : motions) {
+        if (!mayReach(motion, area))
+            continue;
+        Sweep sweep(*motion.cutter, motion.motion, zmap.stock().topZ());
+        if (!sweep.empty() && area.meets(sweep.reach()))
+            sweeps.push_back(std::move(sweep));
+    }
+    std::ranges::sort(sweeps, {}, &Sweep::lowest);
+    return sweeps;
+}
+
+} // namespace
+
+RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
+                      std::span<const CutterMotion> motions, const std::stop_token& stop) {
+    const std::vector<FallingEdge> edges = fallingEdges(zmap, tile);
+    if (edges.empty())
+        return nullptr;
+    const IndexRect rect = zmap.tileRect(tile);
+    const std::vector<Sweep> sweeps = sweepsOver(zmap, rect, motions);
+    Surface surface(zmap, uncut);
+    RimTile rims;
+    for (const FallingEdge& edge : edges) {
+        if (stop.stop_requested())
+            return nullptr;
+        const EdgeLine line = lineBelowPlateau(edge, zmap.grid(), rect);
+        const Area area = areaOf(line);
+        surface.clear();
+        for (const Sweep& sweep : sweeps)
+            if (area.meets(sweep.reach()))
+                surface.add(sweep);
+        if (const std::optional<Rim> rim = rimOn(edge, line, surface))
+            rims.rims.push_back(*rim);
+    }
+    return rims.rims.empty() ? nullptr : std::make_shared<const RimTile>(std::move(rims));
+}
+
+} // namespace proveout

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where walls cross the edges of a grid, exactly, from the motions that made them. Heights are not changed.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stop_token>
+
+#include "core/cutting/cut/cutting.h"
+#include "core/zmap/rims.h"
+#include "core/zmap/stock_shape.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// The rims of a tile of `zmap` after exactly `motions` have been cut, in any order, from a stock whose top
+/// was `uncut` (null: the whole box). Motions that cannot reach the tile may be left out. Null if there is no
+/// rim, and after a stop. Any thread. The result is the same for any order of the motions, to the last bit.
+///
+/// On each edge that falls more steeply than the one before it (falling_edges.h), the surface first falls
+/// below a line a little lower than the continuation of the plateau at the edge's high end; that place is a
+/// rim if the surface falls by a jump there. A tapered wall, or the start of a slope, is none.
+[[nodiscard]] RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
+                                    std::span<const CutterMotion> motions, const std::stop_token& stop = {});
+
+} // namespace proveout
