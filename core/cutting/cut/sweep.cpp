@@ -145,6 +145,8 @@ double Sweep::envelope(double x, double y, double known) const {
 
 /// Over a helix the nearest place is a good bound, which makes the search short.
 double Sweep::roundEnvelope(const Vec2& point, double known) const {
+    if (std::abs(glm::distance(point, Vec2(m_path.centre)) - m_path.radius) > m_rim)
+        return kInfinity;
     const Vec3 tip = nearestPlace(m_path, point);
     const double distance = glm::distance(point, Vec2(tip));
     if (distance > m_rim)

@@ -2,9 +2,11 @@
 #include "core/cutting/cut/tile_rims.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/cutting/cut/falling_edges.h"
@@ -186,6 +188,50 @@ std::vector<Sweep> sweepsOver(const ZMapSnapshot& zmap, const IndexRect& tile,
     return sweeps;
 }
 
+/// The sweeps over a tile, by squares of it, which are collected when they are first asked for.
+class SweepsOfTile {
+public:
+    SweepsOfTile(const ZMapSnapshot& zmap, const IndexRect& tile, std::span<const CutterMotion> motions)
+        : m_grid(zmap.grid()), m_tile(tile), m_sweeps(sweepsOver(zmap, tile, motions)) {
+        m_reaches.reserve(m_sweeps.size());
+        for (const Sweep& sweep : m_sweeps)
+            m_reaches.push_back(sweep.reach());
+    }
+
+    /// Makes `surface` that of an edge.
+    void select(const RimEdge& edge, const Area& area, Surface& surface) {
+        Square& square = m_squares[static_cast<std::size_t>(edge.j / kPoints * kSquares + edge.i / kPoints)];
+        if (!square.collected)
+            collect(square, m_tile.i0 + edge.i / kPoints * kPoints, m_tile.j0 + edge.j / kPoints * kPoints);
+        surface.clear();
+        for (const std::size_t k : square.sweeps)
+            if (area.meets(m_reaches[k]))
+                surface.add(m_sweeps[k]);
+    }
+
+private:
+    static constexpr int kPoints = 8;
+    static constexpr int kSquares = Tile::kSize / kPoints;
+    struct Square {
+        bool collected = false;
+        std::vector<std::size_t> sweeps; ///< ascending, as are their lowest heights
+    };
+
+    void collect(Square& square, int i, int j) const {
+        const Area area{{m_grid.x(i), m_grid.y(j)}, {m_grid.x(i + kPoints), m_grid.y(j + kPoints)}};
+        for (std::size_t k = 0; k < m_reaches.size(); ++k)
+            if (area.meets(m_reaches[k]))
+                square.sweeps.push_back(k);
+        square.collected = true;
+    }
+
+    const Grid& m_grid;
+    IndexRect m_tile;
+    std::vector<Sweep> m_sweeps;
+    std::vector<Box3> m_reaches;
+    std::array<Square, std::size_t{kSquares} * kSquares> m_squares;
+};
+
 } // namespace
 
 RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
@@ -194,18 +240,14 @@ RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop
     if (edges.empty())
         return nullptr;
     const IndexRect rect = zmap.tileRect(tile);
-    const std::vector<Sweep> sweeps = sweepsOver(zmap, rect, motions);
+    SweepsOfTile sweeps(zmap, rect, motions);
     Surface surface(zmap, uncut);
     RimTile rims;
     for (const FallingEdge& edge : edges) {
         if (stop.stop_requested())
             return nullptr;
         const EdgeLine line = lineBelowPlateau(edge, zmap.grid(), rect);
-        const Area area = areaOf(line);
-        surface.clear();
-        for (const Sweep& sweep : sweeps)
-            if (area.meets(sweep.reach()))
-                surface.add(sweep);
+        sweeps.select(edge.edge, areaOf(line), surface);
         if (const std::optional<Rim> rim = rimOn(edge, line, surface))
             rims.rims.push_back(*rim);
     }

@@ -28,13 +28,15 @@ public:
         add(centre.x + half);
     }
 
-    /// The start of the first interval whose middle is `under`; nothing if there is none.
+    /// The start of the first interval whose middle is `under`; infinity if there is none up to `latest`.
     template<class Under>
-    [[nodiscard]] double firstUnder(const Under& under) {
+    [[nodiscard]] double firstUnder(double latest, const Under& under) {
         std::sort(m_places.begin(), m_places.begin() + m_count);
         for (std::ptrdiff_t k = 0; k + 1 < m_count; ++k) {
             const double from = m_places[static_cast<std::size_t>(k)];
             const double to = m_places[static_cast<std::size_t>(k) + 1];
+            if (from > latest)
+                break;
             if (to > from && under((from + to) / 2))
                 return from;
         }
@@ -69,7 +71,7 @@ Vec3 nearestPlace(const ArcPath& path, const Vec2& point) {
 }
 
 CircleEntry entryUnderCircle(const ConvexProfile& profile, const ArcPath& path, const EdgeLine& line,
-                             double beyond) {
+                             double beyond, double latest) {
     const double rim = profile.rim;
     const double last = line.length + beyond;
     const Vec2 centre = line.seen(Vec2(path.centre) - line.from);
@@ -84,7 +86,7 @@ CircleEntry entryUnderCircle(const ConvexProfile& profile, const ArcPath& path, 
         places.addCircle(line.seen(Vec2(path.at(end)) - line.from), rim);
     CircleEntry entry;
     entry.crossing.place =
-        places.firstUnder([&](double place) { return path.distanceToCircle(line.at(place)) <= rim; });
+        places.firstUnder(latest, [&](double place) { return path.distanceToCircle(line.at(place)) <= rim; });
     if (!entry.crossing.found())
         return {};
     const Vec2 point = line.at(entry.crossing.place);

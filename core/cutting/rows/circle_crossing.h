@@ -22,8 +22,8 @@ struct CircleEntry {
 };
 
 /// Where a line first comes under a disc of the profile's rim on a path that isRoundOverGround(). `beyond`:
-/// how far beyond its end, mm.
+/// how far beyond its end, mm. Places after `latest` may be left out.
 [[nodiscard]] CircleEntry entryUnderCircle(const ConvexProfile& profile, const ArcPath& path,
-                                           const EdgeLine& line, double beyond);
+                                           const EdgeLine& line, double beyond, double latest);
 
 } // namespace proveout

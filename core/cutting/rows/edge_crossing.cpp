@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/cutting/rows/circle_crossing.h"
@@ -210,7 +211,7 @@ void findCrossing(const ConvexProfile& profile, const ArcPath& path, std::span<c
                   const EdgeLine& line, EdgeCrossing& first) {
     double least = 0;
     if (isRoundOverGround(path)) {
-        const CircleEntry entry = entryUnderCircle(profile, path, line, kBeyond);
+        const CircleEntry entry = entryUnderCircle(profile, path, line, kBeyond, first.place);
         if (!entry.crossing.found() || entry.crossing.place > first.place)
             return;
         if (entry.height < line.heightAt(entry.crossing.place)) {
