@@ -25,11 +25,12 @@ FileAllowance allowanceOf(const FinalSurface::Order& order) {
 }
 
 /// Within the allowance in the files too. Otherwise the regions of the simulation are used again.
-SurfaceSnapshot decimatedSurface(const Simulation& simulation, const FinalSurface::Order& order,
-                                 const WorkContext& context) {
+SurfaceSnapshot decimatedSurface(const Simulation& simulation, const ZMapSnapshot& zmap,
+                                 const FinalSurface::Order& order, const WorkContext& context) {
     const DecimationParameters parameters = allowanceOf(order).parameters();
-    return parameters == order.scheduled ? simulation.decimatedNow(context)
-                                         : decimatedWhole(simulation.zmap(), forExport(parameters), context);
+    return parameters == order.scheduled && zmap.walls().empty()
+               ? simulation.decimatedNow(context)
+               : decimatedWhole(zmap, forExport(parameters), context);
 }
 
 } // namespace
@@ -59,12 +60,12 @@ bool FinalSurface::unlessTooLarge(const Order& order, const Grid& grid, Report& 
     return false;
 }
 
-bool FinalSurface::make(const Simulation& simulation, const Order& order, Report& report) {
-    const ZMapSnapshot zmap = simulation.zmap();
+bool FinalSurface::make(const Simulation& simulation, const ZMapSnapshot& zmap, const Order& order,
+                        Report& report) {
     const Grid& grid = zmap.grid();
     return unlessTooLarge(order, grid, report, [&] {
         return makeWatched(zmap, order, [&](const WorkContext& context) {
-            return order.decimated ? decimatedSurface(simulation, order, context)
+            return order.decimated ? decimatedSurface(simulation, zmap, order, context)
                                    : Surface(grid.nx, grid.ny, order.job.parameters).snapshot();
         });
     });

@@ -36,8 +36,9 @@ public:
     /// Construct it when the run begins: from then on memory counts as its own.
     FinalSurface() = default;
 
-    /// Makes the surface. False if it needs too much memory; that is reported.
-    bool make(const Simulation& simulation, const Order& order, Report& report);
+    /// Makes the surface of the simulation's z-map, which may have walls. False if it needs too much memory;
+    /// that is reported.
+    bool make(const Simulation& simulation, const ZMapSnapshot& zmap, const Order& order, Report& report);
     /// Closes the surface and writes all files of `meshes`; the same. If a file would exceed the allowance,
     /// the surface is made again for less.
     bool write(const MeshOutputs& meshes, const ZMapSnapshot& zmap, const Order& order, Report& report);

@@ -71,8 +71,10 @@ Result<void> MeshOutputs::checkRounding(const DecimationParameters& promised, co
 std::optional<std::vector<MeshOutput>> MeshOutputs::write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
                                                           FileAllowance allowance, const MakeAgain& makeAgain,
                                                           Report& report) const {
+    const DecimationParameters promised = allowance.promised();
+    const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
     const auto close = [&] {
-        return SolidForExport(zmap, closeSolid(zmap, surface.releaseTriangles()),
+        return SolidForExport(zmap, closeSolid(zmap, surface.releaseTriangles(), {}, ofWalls),
                               errorLevel(allowance.promised()));
     };
     std::optional<SolidForExport> solid = close();

@@ -49,7 +49,7 @@ struct SimulateOptions {
     MeshOutputs meshes;
     BoxOutput box;
     std::string mesh = "decimated";
-    std::string rims = "off";
+    std::string rims = "on";
     std::string records;
     std::string stock;
     bool json = false;
@@ -306,9 +306,17 @@ private:
         return true;
     }
 
+    /// The other methods are those of the paper, and need a plain z-map.
+    [[nodiscard]] bool hasWalls() const {
+        const bool certified = m_job.parameters.method == DecimationMethod::certified;
+        return m_options.rims == "on" && m_options.meshes.wanted() && (certified || m_options.mesh == "full");
+    }
+
     void findRims() {
-        if (m_options.rims == "on")
+        if (hasWalls()) {
             m_frame.zmap = RimFinder().find(m_frame);
+            m_frame.zmap.setWalls(WallPoints(m_frame.zmap));
+        }
         m_seconds.rims = lap();
     }
 
@@ -316,7 +324,7 @@ private:
     bool decimate() {
         if (!m_options.json && !m_options.meshes.wanted())
             return true;
-        const bool made = m_surface.make(*m_simulation, order(), m_report);
+        const bool made = m_surface.make(*m_simulation, m_frame.zmap, order(), m_report);
         m_seconds.decimate += m_surface.decimationSeconds();
         m_seconds.evaluate += lap() - m_surface.decimationSeconds();
         return made;
@@ -406,7 +414,7 @@ private:
              std::llround(m_programMemory.with(expectedMapBytes(grid, scheduled(), mapOutputs())))},
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
-        if (m_options.rims == "on")
+        if (hasWalls())
             out["rims"] = rimCount(m_frame.zmap.rims());
         out["records"] = totalsAsJson(m_totals, *m_program, m_frame.setup);
         m_options.meshes.addTo(out, m_surface.written());
@@ -483,7 +491,8 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         ->check(CLI::IsMember({"decimated", "full"}))
         ->type_name("M");
     options->box.addTo(*command);
-    command->add_option("--rims", options->rims, "Find where walls stand between grid points (off)")
+    command
+        ->add_option("--rims", options->rims, "Put walls of meshes where they stand, not at grid points (on)")
         ->check(CLI::IsMember({"on", "off"}))
         ->type_name("on|off");
     command->add_option("--records", options->records, "Write one row per motion block (CSV)")

@@ -2,6 +2,7 @@
 // Rims as the points at both ends of their edges see them. Internal to this room.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -53,6 +54,7 @@ public:
     [[nodiscard]] bool empty() const { return m_rims.empty(); }
     [[nodiscard]] const IndexRect& rect() const { return m_rect; }
     [[nodiscard]] const Grid& grid() const { return m_zmap.grid(); }
+    [[nodiscard]] float height(int i, int j) const { return m_zmap.height(i, j); }
     [[nodiscard]] Vec2 cell() const { return {grid().hx, grid().hy}; }
 
     /// Of the edge from (i, j) to one of its neighbours.
@@ -61,7 +63,9 @@ public:
         const Rim* rim = find(std::min(i, i + di), std::min(j, j + dj), dj != 0);
         if (rim == nullptr)
             return std::nullopt;
-        const double way = di + dj > 0 ? rim->fraction() : 1 - rim->fraction();
+        // Points on both sides of a wall through a point of the grid must not meet there.
+        const double place = std::clamp(rim->fraction(), kApart, 1 - kApart);
+        const double way = di + dj > 0 ? place : 1 - place;
         return RimCrossing{Vec2(di * grid().hx, dj * grid().hy) * way, rim->normal(), rim->top, rim->bottom};
     }
     [[nodiscard]] bool isHigh(int i, int j, const GridStep& step) const {
@@ -70,6 +74,7 @@ public:
 
 private:
     static constexpr int kAround = 2;
+    static constexpr double kApart = 1.0 / 256; ///< of an edge: how near to its ends walls are drawn
     static constexpr int kWidth = Tile::kSize + 2 * kAround;
 
     void add(int ti, int tj) {

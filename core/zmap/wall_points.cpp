@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] std::optional<WallPlace> place() const {
         if (m_mixed)
-            return std::nullopt;
+            return stays();
         if (m_freeX && m_freeY) {
             if (const auto sharp = ofCells(&CellWalls::sharp))
                 return sharp;
@@ -41,13 +41,18 @@ public:
         if (m_count == 1)
             return WallPlace{m_seen[0].crossing.at, static_cast<double>(m_seen[0].crossing.beside(m_high))};
         if (m_count != 2 || m_seen[0].step.isOpposite(m_seen[1].step))
-            return std::nullopt; // walls on opposite sides: it cannot be on both
+            return stays(); // walls on opposite sides: it cannot be on both
         const RimCrossing& a = m_seen[0].crossing;
         const RimCrossing& b = m_seen[1].crossing;
         return WallPlace{onWall(a, b), heightBeside(a, b, m_high)};
     }
 
 private:
+    /// It is beside a wall all the same.
+    [[nodiscard]] WallPlace stays() const {
+        return {Vec2(0), static_cast<double>(m_around.height(m_i, m_j))};
+    }
+
     struct Seen {
         GridStep step;
         RimCrossing crossing;

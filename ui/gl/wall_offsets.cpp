@@ -104,8 +104,9 @@ std::size_t WallOffsets::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t 
 }
 
 std::size_t WallOffsets::update(Gl& gl, const ZMapSnapshot& moment) {
-    if (moment.walls().empty() && m_used == 0)
-        return 0;
+    m_shown = !moment.walls().empty();
+    if (!m_shown)
+        return 0; // what was uploaded is kept: while a program is played there are none
     if (m_places == 0 || !(moment.grid() == m_grid))
         restart(gl, moment);
     std::vector<std::size_t> changed;
@@ -149,7 +150,7 @@ void WallOffsets::set(Gl& gl, ShaderProgram& program, bool used) const {
     gl.glActiveTexture(GL_TEXTURE0);
     program.set(gl, "wallPlaces", kPlacesUnit);
     program.set(gl, "wallOffsets", kOffsetsUnit);
-    program.set(gl, "hasWalls", used && !m_refused && m_used > 0);
+    program.set(gl, "hasWalls", used && m_shown && !m_refused);
 }
 
 void WallOffsets::release(Gl& gl) {

@@ -42,6 +42,7 @@ private:
     int m_layers = 0;
     Grid m_grid;
     bool m_refused = false;
+    bool m_shown = false;
     std::vector<Around> m_uploaded;      ///< per tile
     std::vector<std::int32_t> m_placeOf; ///< per tile; below 0: none
     std::size_t m_used = 0;

@@ -66,6 +66,8 @@ Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const 
 Result<SolidForExport> makeSolid(const ZMapSnapshot& zmap, FileAllowance& allowance,
                                  const ExportMemory& memory, const WorkContext& context) {
     const WorkContext limited{memory.stop(), context.progress};
+    const DecimationParameters promised = allowance.promised();
+    const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
     for (;;) {
         const WorkContext part = allowance.thisTry(limited);
         SurfaceSnapshot surface = decimatedWhole(zmap, allowance.parameters(), part.part(0, kDecimated));
@@ -76,7 +78,8 @@ Result<SolidForExport> makeSolid(const ZMapSnapshot& zmap, FileAllowance& allowa
         std::vector<LatticeTriangle> triangles = surface.releaseTriangles();
         if (memory.isExceeded(triangles.size()))
             return memory.tooLarge();
-        SolidForExport solid(zmap, closeSolid(zmap, std::move(triangles), part.part(kDecimated, kClosed)),
+        SolidForExport solid(zmap,
+                             closeSolid(zmap, std::move(triangles), part.part(kDecimated, kClosed), ofWalls),
                              errorLevel(allowance.promised()));
         const bool again = !limited.stopped() && allowance.reduce(solid, part.part(kClosed, 1));
         if (context.stopped())

@@ -234,6 +234,10 @@ private:
 
 } // namespace
 
+bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile) {
+    return !fallingEdges(zmap, tile).empty();
+}
+
 RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
                       std::span<const CutterMotion> motions, const std::stop_token& stop) {
     const std::vector<FallingEdge> edges = fallingEdges(zmap, tile);

@@ -13,6 +13,10 @@
 
 namespace proveout {
 
+/// Whether an edge of the tile falls so much that a wall may cross it; if not, it has no rims whatever was
+/// cut.
+[[nodiscard]] bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile);
+
 /// The rims of a tile of `zmap` after exactly `motions` have been cut, in any order, from a stock whose top
 /// was `uncut` (null: the whole box). Motions that cannot reach the tile may be left out. Null if there is no
 /// rim, and after a stop. Any thread. The result is the same for any order of the motions, to the last bit.

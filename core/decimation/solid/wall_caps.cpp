@@ -13,7 +13,7 @@ namespace {
 
 /// Triangles that are flatter than this, as a fraction of a cell, have no area; up to the other they may be
 /// turned over.
-constexpr double kFlat = 1e-4;
+constexpr double kNoArea = 1e-4;
 constexpr double kTurned = 0.2;
 /// A flip may leave another cap beside it; long chains of them were not seen.
 constexpr int kMostRounds = 8;
@@ -78,7 +78,7 @@ private:
         }
         const double flatness = length > 0 ? glm::length(normal) / length : 0;
         const bool turned = normal.z < -0.5 * glm::length(normal) && flatness < kTurned * m_cell;
-        return flatness < kFlat * m_cell || turned ? std::optional(longest) : std::nullopt;
+        return flatness < kNoArea * m_cell || turned ? std::optional(longest) : std::nullopt;
     }
 
     bool flipIfCap(std::size_t t) {

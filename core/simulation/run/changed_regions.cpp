@@ -45,17 +45,19 @@ std::vector<std::size_t> differingRegions(const ZMapSnapshot& a, const ZMapSnaps
                                           const RegionGrid& grid) {
     assert(a.grid() == b.grid());
     std::vector<bool> candidate(grid.regionCount(), false);
+    std::vector<bool> otherWalls(grid.regionCount(), false);
     for (std::size_t tile = 0; tile < a.tileCount(); ++tile) {
-        if (a.tile(tile) == b.tile(tile))
+        const bool sameWalls = a.walls().tile(tile) == b.walls().tile(tile);
+        if (a.tile(tile) == b.tile(tile) && sameWalls)
             continue;
         const IndexRect regions = grid.regionsTouching(a.tileRect(tile));
         for (int ry = regions.j0; ry < regions.j1; ++ry)
             for (int rx = regions.i0; rx < regions.i1; ++rx)
-                candidate[grid.regionAt(rx, ry)] = true;
+                (sameWalls ? candidate : otherWalls)[grid.regionAt(rx, ry)] = true;
     }
     std::vector<std::size_t> differing;
     for (std::size_t region = 0; region < candidate.size(); ++region)
-        if (candidate[region] && !a.sameHeights(b, grid.points(region)))
+        if (otherWalls[region] || (candidate[region] && !a.sameHeights(b, grid.points(region))))
             differing.push_back(region);
     return differing;
 }

@@ -31,8 +31,8 @@ void forChangedRegions(const ZMap& zmap, const ZMapSnapshot& moment, const Index
         }
 }
 
-/// The regions, ascending, whose heights differ between two snapshots of one grid. Only regions in tiles that
-/// the snapshots do not share are compared.
+/// The regions, ascending, whose heights or walls differ between two snapshots of one grid. Only regions in
+/// tiles that the snapshots do not share are compared.
 [[nodiscard]] std::vector<std::size_t> differingRegions(const ZMapSnapshot& a, const ZMapSnapshot& b,
                                                         const RegionGrid& grid);
 

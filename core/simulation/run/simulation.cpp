@@ -170,8 +170,15 @@ bool Simulation::canRefine() const {
 
 void Simulation::refine(const WorkContext& context) {
     State& state = *m_state;
-    if (canRefine())
-        state.atRest.follow(zmap(), state.parameters, state.surface.faces(), context);
+    if (!canRefine())
+        return;
+    Frame moment;
+    moment.block = state.stock.block;
+    moment.program = state.program;
+    moment.setup = state.setup;
+    moment.zmap = zmap();
+    state.atRest.follow(state.rims.find(moment, context.quiet()), state.parameters, state.surface.faces(),
+                        context);
 }
 
 SurfaceSnapshot Simulation::decimatedNow(const WorkContext& context) const {
@@ -212,7 +219,11 @@ Frame Simulation::frame() const {
     frame.parameters = state.parameters;
     frame.zmap = zmap();
     frame.surface = state.atRest.isShown() ? state.atRest.snapshot() : state.surface.snapshot();
-    frame.level = state.atRest.isShown() ? state.parameters.level : ErrorLevel::sample;
+    // Walls stand where they are, and the full mesh of the plain z-map has them elsewhere.
+    if (state.atRest.isShown())
+        frame.zmap = state.atRest.zmap();
+    frame.level =
+        state.atRest.isShown() && frame.zmap.walls().empty() ? state.parameters.level : ErrorLevel::sample;
     frame.statistics = state.rows;
     frame.findings = state.stockFindings;
     append(frame.findings, state.setupFindings);

@@ -13,6 +13,7 @@
 #include "core/simulation/run/checkpoints.h"
 #include "core/simulation/run/finding_log.h"
 #include "core/simulation/run/kept_records.h"
+#include "core/simulation/run/rim_finder.h"
 #include "core/simulation/run/schedule.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/run/surface_at_rest.h"
@@ -60,6 +61,7 @@ struct Simulation::State {
 
     SurfaceMemory surfaceMemory;
     SurfaceAtRest atRest;
+    RimFinder rims;
     KeptRecords keptRecords;
 
     Checkpoints checkpoints;

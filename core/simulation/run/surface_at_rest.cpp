@@ -19,6 +19,7 @@ void SurfaceAtRest::follow(ZMapSnapshot now, const DecimationParameters& paramet
         return;
     }
     m_bytes = needed;
+    now.setWalls(m_zmap ? WallPoints(now, *m_zmap, m_zmap->walls()) : WallPoints(now));
     std::vector<std::size_t> changed;
     if (m_zmap)
         changed = differingRegions(*m_zmap, now, m_surface.grid());

@@ -13,8 +13,8 @@ namespace proveout {
 /// The refined surface that is shown while nothing is cut, if there is memory for it. Owned by one thread.
 class SurfaceAtRest {
 public:
-    /// Makes the refined surface for a snapshot. `faces` is the number of faces of the scheduled surface,
-    /// from which the memory is estimated. A stopped context leaves it unfinished.
+    /// Makes the refined surface for a snapshot, which has its rims. `faces` is the number of faces of the
+    /// scheduled surface, from which the memory is estimated. A stopped context leaves it unfinished.
     void follow(ZMapSnapshot now, const DecimationParameters& parameters, std::size_t faces,
                 const WorkContext& context);
     /// Call it when the z-map has changed.
@@ -25,6 +25,8 @@ public:
     [[nodiscard]] bool isWanted() const { return m_fits && !m_isShown; }
     /// Valid while it is shown.
     [[nodiscard]] const SurfaceSnapshot& snapshot() const { return m_surface.snapshot(); }
+    /// What it was made from, with walls; the same.
+    [[nodiscard]] const ZMapSnapshot& zmap() const { return *m_zmap; }
 
 private:
     RefinedSurface m_surface;

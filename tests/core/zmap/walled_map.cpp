@@ -43,11 +43,11 @@ std::vector<WalledRegion> walledRegions() {
     const double boxArea = 4 * 8.4 * 5.3;
     std::vector<WalledRegion> all;
     for (const bool pocket : {true, false}) {
-        all.push_back({"circle", circle, circleArea, 2e-3, 0.7, pocket});
-        all.push_back({"slot", slot, 0, 1e-4, 0, pocket});
-        all.push_back({"rectangle", straight, boxArea, 1e-4, 0.1, pocket});
-        all.push_back({"rectangle at 17 degrees", aslant, boxArea, 1e-4, 0.5, pocket});
-        all.push_back({"rectangle at 45 degrees", diagonal, boxArea, 1e-4, 1.6, pocket});
+        all.push_back({"circle", circle, circleArea, 6e-3, 0.7, pocket});
+        all.push_back({"slot", slot, 0, 5e-3, 0, pocket});
+        all.push_back({"rectangle", straight, boxArea, 5e-3, 0.1, pocket});
+        all.push_back({"rectangle at 17 degrees", aslant, boxArea, 5e-3, 0.5, pocket});
+        all.push_back({"rectangle at 45 degrees", diagonal, boxArea, 5e-3, 1.6, pocket});
     }
     return all;
 }
