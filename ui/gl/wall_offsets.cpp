@@ -110,7 +110,6 @@ std::size_t WallOffsets::update(Gl& gl, const ZMapSnapshot& moment) {
     if (m_places == 0 || !(moment.grid() == m_grid))
         restart(gl, moment);
     std::vector<std::size_t> changed;
-    bool moved = false;
     for (std::size_t tile = 0; tile < moment.tileCount(); ++tile) {
         Around now = around(moment, tile);
         if (now == m_uploaded[tile])
@@ -118,7 +117,7 @@ std::size_t WallOffsets::update(Gl& gl, const ZMapSnapshot& moment) {
         const bool has = std::ranges::any_of(now, [](const auto& walls) { return walls != nullptr; });
         if (has && m_placeOf[tile] == kNoPlace) {
             m_placeOf[tile] = static_cast<std::int32_t>(m_used++);
-            moved = true;
+            m_placesDue = true;
         }
         m_uploaded[tile] = std::move(now);
         if (m_placeOf[tile] != kNoPlace)
@@ -134,7 +133,7 @@ std::size_t WallOffsets::update(Gl& gl, const ZMapSnapshot& moment) {
     std::size_t sent = 0;
     for (const std::size_t tile : changed)
         sent += upload(gl, moment, tile);
-    if (moved) {
+    if (std::exchange(m_placesDue, false)) {
         gl.glBindTexture(GL_TEXTURE_2D, m_places);
         gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, moment.tilesX(), moment.tilesY(), GL_RED_INTEGER, GL_INT,
                            m_placeOf.data());

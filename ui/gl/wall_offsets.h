@@ -43,6 +43,7 @@ private:
     Grid m_grid;
     bool m_refused = false;
     bool m_shown = false;
+    bool m_placesDue = false;            ///< a tile has got a place since they were uploaded
     std::vector<Around> m_uploaded;      ///< per tile
     std::vector<std::int32_t> m_placeOf; ///< per tile; below 0: none
     std::size_t m_used = 0;
