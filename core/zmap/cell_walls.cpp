@@ -33,7 +33,7 @@ std::optional<WallPlace> CellWalls::sharp(int corner) const {
     if (!meeting || !isBetween(*meeting, Vec2(0), m_around.cell(), m_around.cell() * slack()) ||
         !isOfPair(corner, *meeting))
         return std::nullopt;
-    return placeOf(corner, *meeting);
+    return ifLevel(corner, placeOf(corner, *meeting));
 }
 
 std::optional<WallPlace> CellWalls::oppositeOfCut(int corner) const {
@@ -45,7 +45,7 @@ std::optional<WallPlace> CellWalls::oppositeOfCut(int corner) const {
     const Vec2 from = offsetOf(*cut);
     a.at -= from;
     b.at -= from;
-    return placeOf(corner, from + onWall(a, b));
+    return ifLevel(corner, placeOf(corner, from + onWall(a, b)));
 }
 
 void CellWalls::look(std::size_t edge) {
@@ -113,6 +113,10 @@ double CellWalls::slack() const {
 
 WallPlace CellWalls::placeOf(int corner, const Vec2& at) const {
     return {at - offsetOf(corner), heightBeside(m_crossings[0], m_crossings[1], isHigh(corner))};
+}
+
+std::optional<WallPlace> CellWalls::ifLevel(int corner, const WallPlace& place) const {
+    return m_around.isLevel(column(corner), row(corner), place.z) ? std::optional(place) : std::nullopt;
 }
 
 } // namespace proveout

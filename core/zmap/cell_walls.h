@@ -41,6 +41,7 @@ private:
     [[nodiscard]] bool isDiagonal(int corner) const;
     [[nodiscard]] bool isOfPair(int corner, const Vec2& meeting) const;
     [[nodiscard]] double slack() const;
+    [[nodiscard]] std::optional<WallPlace> ifLevel(int corner, const WallPlace& place) const;
     [[nodiscard]] WallPlace placeOf(int corner, const Vec2& at) const;
 
     const RimSurroundings& m_around;

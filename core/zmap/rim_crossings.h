@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -72,7 +73,15 @@ public:
         return m_zmap.height(i, j) > m_zmap.height(i + step.di, j + step.dj);
     }
 
+    /// Whether the surface beside a wall is as high as at a point near it: else the way to the wall is a
+    /// slope, which the point must not leave.
+    [[nodiscard]] bool isLevel(int i, int j, double besideWall) const {
+        return std::abs(besideWall - static_cast<double>(height(i, j))) <=
+               kLevel * std::max(grid().hx, grid().hy);
+    }
+
 private:
+    static constexpr double kLevel = 0.1;
     static constexpr int kAround = 2;
     static constexpr double kApart = 1.0 / 256; ///< of an edge: how near to its ends walls are drawn
     static constexpr int kWidth = Tile::kSize + 2 * kAround;
@@ -85,9 +94,21 @@ private:
             m_rims.resize(std::size_t{2} * kWidth * kWidth, nullptr);
         for (const Rim& rim : tile->rims) {
             const RimEdge edge = RimEdge::of(rim.edge);
-            if (const auto place = placeOf(ti * Tile::kSize + edge.i, tj * Tile::kSize + edge.j, edge.alongY))
+            const int i = ti * Tile::kSize + edge.i;
+            const int j = tj * Tile::kSize + edge.j;
+            const auto place = placeOf(i, j, edge.alongY);
+            if (place && isBetweenLevels(rim, i, j, edge.alongY))
                 m_rims[*place] = &rim;
         }
+    }
+    /// Below the rim of a ball the surface goes on falling: points that left that slope for the wall would
+    /// cut it off.
+    [[nodiscard]] bool isBetweenLevels(const Rim& rim, int i, int j, bool alongY) const {
+        const int toI = i + (alongY ? 0 : 1);
+        const int toJ = j + (alongY ? 1 : 0);
+        const bool falls = height(i, j) > height(toI, toJ);
+        return isLevel(i, j, static_cast<double>(falls ? rim.top : rim.bottom)) &&
+               isLevel(toI, toJ, static_cast<double>(falls ? rim.bottom : rim.top));
     }
     [[nodiscard]] std::optional<std::size_t> placeOf(int i, int j, bool alongY) const {
         const int x = i - m_rect.i0 + kAround;

@@ -89,7 +89,8 @@ std::size_t WallOffsets::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t 
         for (const WallPoint& wall : walls->points) {
             const int i = column + wall.point % Tile::kSize;
             const int j = row + wall.point / Tile::kSize;
-            markNear(offsets, i, j);
+            if (wall.dx != 0 || wall.dy != 0) // else it stays between two walls, or on a slope
+                markNear(offsets, i, j);
             if (column != 0 || row != 0)
                 continue;
             Offset& offset = offsets[wall.point];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "core/cutting/profiles/vector_clones.h"
 
@@ -59,9 +60,10 @@ private:
 
 using RowMarks = std::array<std::uint32_t, Tile::kSize>;
 
-/// Marks the edges from each of the points of a row to the next one `step` heights on. Returns whether there
-/// is one.
-PROVEOUT_VECTOR_CLONES bool markRow(const float* row, std::ptrdiff_t step, float least, RowMarks& marks) {
+/// Marks the edges from each of the points of a row to the next one `step` heights on that fall by more than
+/// `least`, where the edges before and after them fall by at most `most`. Returns whether there is one.
+PROVEOUT_VECTOR_CLONES bool markRow(const float* row, std::ptrdiff_t step, float least, float most,
+                                    RowMarks& marks) {
     const float* last = row - step;
     const float* next = row + step;
     const float* afterNext = next + step;
@@ -70,8 +72,10 @@ PROVEOUT_VECTOR_CLONES bool markRow(const float* row, std::ptrdiff_t step, float
         const float before = last[i] - row[i];
         const float fall = row[i] - next[i];
         const float after = next[i] - afterNext[i];
-        const float forwards = fall - (before > 0 ? before : 0);
-        const float backwards = (after < 0 ? after : 0) - fall;
+        const float highest = before > after ? before : after;
+        const float lowest = before < after ? before : after;
+        const float forwards = highest <= most ? fall - (before > 0 ? before : 0) : 0;
+        const float backwards = lowest >= -most ? (after < 0 ? after : 0) - fall : 0;
         excess[i] = forwards > backwards ? forwards : backwards;
     }
     std::uint32_t any = 0;
@@ -91,7 +95,11 @@ FallingEdge edgeAt(const float* point, std::ptrdiff_t step, const RimEdge& edge)
 
 } // namespace
 
-std::vector<FallingEdge> fallingEdges(const ZMapSnapshot& zmap, std::size_t tile) {
+std::vector<FallingEdge> fallingEdges(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted) {
+    const auto most = [wanted](double spacing) {
+        return wanted == RimEdges::all ? std::numeric_limits<float>::infinity()
+                                       : static_cast<float>(kWallSlope * spacing);
+    };
     const IndexRect rect = zmap.tileRect(tile);
     const Grid& grid = zmap.grid();
     const Surroundings heights(zmap, rect);
@@ -102,8 +110,9 @@ std::vector<FallingEdge> fallingEdges(const ZMapSnapshot& zmap, std::size_t tile
     const int edgesY = std::min(rect.height(), grid.ny - 1 - rect.j0);
     for (int j = 0; j < rect.height(); ++j) {
         const float* row = heights.at(0, j);
-        const bool anyX = markRow(row, 1, static_cast<float>(kWallSlope * grid.hx), alongX);
-        const bool anyY = markRow(row, Surroundings::kSide, static_cast<float>(kWallSlope * grid.hy), alongY);
+        const bool anyX = markRow(row, 1, static_cast<float>(kWallSlope * grid.hx), most(grid.hx), alongX);
+        const bool anyY = markRow(row, Surroundings::kSide, static_cast<float>(kWallSlope * grid.hy),
+                                  most(grid.hy), alongY);
         if (!anyX && !anyY)
             continue;
         for (int i = 0; i < rect.width(); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/zmap/rims.h"
@@ -12,6 +13,10 @@ namespace proveout {
 
 /// The slope, beyond that of the edge before it, above which an edge may have a wall.
 inline constexpr double kWallSlope = 0.25;
+
+/// Which of these edges are looked at: all, or only those between parts of the surface that are nearly level,
+/// which cost less to find on slopes.
+enum class RimEdges : std::uint8_t { all, betweenLevels };
 
 struct FallingEdge {
     RimEdge edge;
@@ -25,6 +30,7 @@ struct FallingEdge {
 /// beyond 0 and beyond what the edge before it falls in the same direction; edges outside the map fall by 0.
 /// The edge after it does not matter: below the rim of a ball, the surface falls more steeply than a low
 /// wall.
-[[nodiscard]] std::vector<FallingEdge> fallingEdges(const ZMapSnapshot& zmap, std::size_t tile);
+[[nodiscard]] std::vector<FallingEdge> fallingEdges(const ZMapSnapshot& zmap, std::size_t tile,
+                                                    RimEdges wanted = RimEdges::all);
 
 } // namespace proveout

@@ -234,13 +234,13 @@ private:
 
 } // namespace
 
-bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile) {
-    return !fallingEdges(zmap, tile).empty();
+bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted) {
+    return !fallingEdges(zmap, tile, wanted).empty();
 }
 
 RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
-                      std::span<const CutterMotion> motions, const std::stop_token& stop) {
-    const std::vector<FallingEdge> edges = fallingEdges(zmap, tile);
+                      std::span<const CutterMotion> motions, const std::stop_token& stop, RimEdges wanted) {
+    const std::vector<FallingEdge> edges = fallingEdges(zmap, tile, wanted);
     if (edges.empty())
         return nullptr;
     const IndexRect rect = zmap.tileRect(tile);

@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/falling_edges.h"
 #include "core/zmap/rims.h"
 #include "core/zmap/stock_shape.h"
 #include "core/zmap/zmap.h"
@@ -15,7 +16,7 @@ namespace proveout {
 
 /// Whether an edge of the tile falls so much that a wall may cross it; if not, it has no rims whatever was
 /// cut.
-[[nodiscard]] bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile);
+[[nodiscard]] bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted = RimEdges::all);
 
 /// The rims of a tile of `zmap` after exactly `motions` have been cut, in any order, from a stock whose top
 /// was `uncut` (null: the whole box). Motions that cannot reach the tile may be left out. Null if there is no
@@ -25,6 +26,7 @@ namespace proveout {
 /// below a line a little lower than the continuation of the plateau at the edge's high end; that place is a
 /// rim if the surface falls by a jump there. A tapered wall, or the start of a slope, is none.
 [[nodiscard]] RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
-                                    std::span<const CutterMotion> motions, const std::stop_token& stop = {});
+                                    std::span<const CutterMotion> motions, const std::stop_token& stop = {},
+                                    RimEdges wanted = RimEdges::all);
 
 } // namespace proveout

@@ -19,6 +19,7 @@ namespace proveout {
 
 struct Frame;
 
+/// Only rims between nearly level parts of the surface: points beside others stay where they are.
 /// The rims of a tile are a function of the motions that may have lowered it and its surroundings. So only
 /// tiles over which other motions were cut than in the moment for which they were found last are looked at
 /// again, wherever in the program that was, and if it was edited since then. Owned by one thread, which need
