@@ -181,16 +181,18 @@ TEST_F(CliSimulate, MessagesOfAProgramThatIsReadPrecedeThoseOfItsSetup) {
     }
 }
 
-TEST_F(CliSimulate, FindsRimsOnRequest) {
+TEST_F(CliSimulate, PutsWallsOfFilesWhereTheyStand) {
     EXPECT_FALSE(simulate("--json").json().contains("rims"));
     const auto off = simulate("--json --rims off --zmap off.npy --stl off.stl");
     EXPECT_EQ(off.exitCode, 0) << off.err;
     EXPECT_FALSE(off.json().contains("rims"));
-    const auto on = simulate("--json --rims on --zmap on.npy --stl on.stl");
+    const auto on = simulate("--json --zmap on.npy --stl on.stl");
     EXPECT_EQ(on.exitCode, 0) << on.err;
     EXPECT_GT(on.json()["rims"], 0) << on.out; // of the slot's sides
     EXPECT_EQ(read("on.npy"), read("off.npy"));
-    EXPECT_EQ(simulate("--json --rims on --until 1").json()["rims"], 0);
+    EXPECT_EQ(simulate("--json --until 1 --stl one.stl").json()["rims"], 0);
+    EXPECT_NE(read("on.stl"), read("off.stl"));
+    EXPECT_FALSE(simulate("--json --method lee --stl lee.stl").json().contains("rims"));
     EXPECT_EQ(simulate("--rims maybe").exitCode, 3);
 }
 
