@@ -82,8 +82,9 @@ TEST(WallSurface, DecimatedSolidsHaveWallsOnTheirOutlineAndTheirVolume) {
             expectWalls(map, region, simple, kWallShare * parameters.allowance);
             EXPECT_LE(measureSolidError(map.moment(), simple, CoordinateType::float32, ErrorLevel::sample),
                       parameters.allowance);
-            if (region.name != "circle") // its chords are as long as the allowance lets them be already
+            if (region.name != "circle") { // its chords are as long as the allowance lets them be already
                 EXPECT_LE(4 * steepCount(simple), steepCount(closeSolid(map.moment(), surface.triangles())));
+            }
         }
     }
 }
