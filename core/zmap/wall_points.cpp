@@ -38,6 +38,8 @@ public:
             if (m_count == 0)
                 return ofCells(&CellWalls::oppositeOfCut);
         }
+        if (m_count == 0)
+            return std::nullopt;
         if (m_count == 1)
             return WallPlace{m_seen[0].crossing.at, static_cast<double>(m_seen[0].crossing.beside(m_high))};
         if (m_count != 2 || m_seen[0].step.isOpposite(m_seen[1].step))

@@ -30,10 +30,12 @@
 #include "core/decimation/solid/solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/decimation/solid/solid_above_floor.h"
+#include "core/decimation/solid/solid_error.h"
 #include "core/decimation/solid/solid_frame.h"
 #include "core/decimation/solid/solid_on_floor.h"
 #include "core/decimation/solid/wall_caps.h"
@@ -41,11 +43,11 @@
 
 namespace proveout {
 
-TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                        const WorkContext& context, double allowance) {
+namespace {
+
+TriangleMesh closed(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+                    const WorkContext& context) {
     const SolidFrame frame(zmap);
-    flipWallCaps(zmap, surface);
-    simplifyWalls(zmap, allowance, surface, context);
     const bool touches =
         std::any_of(surface.begin(), surface.end(), [&frame](const LatticeTriangle& triangle) {
             return frame.onFloor(triangle[0]) || frame.onFloor(triangle[1]) || frame.onFloor(triangle[2]);
@@ -54,6 +56,43 @@ TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> s
         return {};
     return touches ? closeOnFloor(frame, std::move(surface), context)
                    : closeAboveFloor(frame, std::move(surface), context);
+}
+
+/// Whether every triangle keeps its side in single precision.
+bool isSoundInFloat(const TriangleMesh& solid) {
+    return std::ranges::all_of(solid.triangles, [&](const std::array<std::uint32_t, 3>& triangle) {
+        std::array<Vec3, 3> exact;
+        std::array<Vec3, 3> rounded;
+        for (std::size_t k = 0; k < 3; ++k) {
+            exact[k] = solid.vertices[triangle[k]];
+            rounded[k] = roundedTo(CoordinateType::float32, exact[k]);
+        }
+        const Vec3 was = glm::cross(exact[1] - exact[0], exact[2] - exact[0]);
+        const Vec3 is = glm::cross(rounded[1] - rounded[0], rounded[2] - rounded[0]);
+        return glm::dot(was, is) > 0;
+    });
+}
+
+} // namespace
+
+TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+                        const WorkContext& context, double allowance) {
+    if (zmap.walls().empty())
+        return closed(zmap, std::move(surface), context);
+    std::vector<LatticeTriangle> walled = surface;
+    flipWallCaps(zmap, walled);
+    simplifyWalls(zmap, allowance, walled, context);
+    TriangleMesh solid = closed(zmap, std::move(walled), context);
+    const auto isNear = [&] {
+        return allowance <= 0 || measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample,
+                                                   context.quiet()) <= allowance;
+    };
+    if (context.stopped() || (isSoundInFloat(solid) && isNear()))
+        return solid;
+    // Walls that are nearer to each other than the grid resolves: all of them stand at points of the grid.
+    ZMapSnapshot plain = zmap;
+    plain.setWalls({});
+    return closed(plain, std::move(surface), context);
 }
 
 bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid) {

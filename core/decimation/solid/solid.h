@@ -30,7 +30,8 @@ inline constexpr double kPinchGap = 1e-4;
 /// are so large that STL could not hold the gap. Empty if nothing of the stock is left, or if the context was
 /// stopped. `surface` must cover the map without cracks (SurfaceSnapshot::triangles() of BorderRule::shared);
 /// moved in, its memory is reused for the solid. `allowance`: that of the surface, by which walls are
-/// simplified as well; 0: they keep all their points. Any thread.
+/// simplified as well; 0: they keep all their points. Walls that cannot be drawn where they stand,
+/// because others are too near, are left at points of the grid, and all others with them. Any thread.
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                       const WorkContext& context = {}, double allowance = 0);
 

@@ -25,7 +25,13 @@ constexpr double kSheet = 0.05;
 constexpr double kSlope = 0.65;
 constexpr int kMostPoints = 4096; ///< of the map, that are looked at for one triangle
 
-using Triangle = std::uint32_t; ///< its place in the list of those beside walls
+/// Vertices with more triangles around them are not removed, and none gets more.
+constexpr std::size_t kMostAround = 128;
+
+// Their places in the lists of those beside walls.
+using Triangle = std::uint32_t;
+using Vertex = std::uint32_t;
+
 using Corners = std::array<Vec3, 3>;
 
 Vec3 normalOf(const Corners& corners) {
@@ -42,14 +48,18 @@ public:
     }
 
     void run(const WorkContext& context) {
-        for (const auto& [vertex, star] : m_stars)
+        for (Vertex vertex = 0; vertex < m_at.size(); ++vertex)
             m_queue.push_back(vertex);
-        std::ranges::sort(m_queue); // so that the result does not depend on the order of the table
         while (!m_queue.empty() && !context.stopped()) {
-            const std::uint32_t vertex = m_queue.front();
+            const Vertex vertex = m_queue.front();
             m_queue.pop_front();
-            if (!isAtBorder(vertex) && m_stars.contains(vertex))
+            m_isQueued[vertex] = false;
+            if (m_isRemovable[vertex] && m_stars[vertex].size() <= kMostAround)
                 tryRemove(vertex);
+        }
+        for (const Beside& beside : m_beside) {
+            for (std::size_t k = 0; k < 3; ++k)
+                m_surface[beside.index][k] = m_points[beside.corners[k]];
         }
         std::erase_if(m_surface, [](const LatticeTriangle& triangle) { return triangle[0] == triangle[1]; });
     }
@@ -69,38 +79,49 @@ private:
     };
 
     void add(std::size_t t) {
-        const auto number = static_cast<Triangle>(m_beside.size());
-        bool any = false;
-        for (const std::uint32_t vertex : m_surface[t]) {
-            if (m_zmap.walls().find(column(vertex), row(vertex)) == nullptr)
-                continue;
-            m_stars[vertex].push_back(number);
-            any = true;
+        const auto isWall = [&](std::uint32_t point) {
+            return m_zmap.walls().find(column(point), row(point)) != nullptr;
+        };
+        if (std::ranges::none_of(m_surface[t], isWall))
+            return;
+        LatticeTriangle corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = vertexOf(m_surface[t][k], isWall(m_surface[t][k]));
+            m_stars[corners[k]].push_back(static_cast<Triangle>(m_beside.size()));
         }
-        if (any)
-            m_beside.push_back({t, {}});
+        m_beside.push_back({t, corners, {}});
+    }
+    Vertex vertexOf(std::uint32_t point, bool isWall) {
+        const auto [known, isNew] = m_vertexOf.try_emplace(point, static_cast<Vertex>(m_at.size()));
+        if (isNew) {
+            m_points.push_back(point);
+            m_at.push_back(vertexAt(m_zmap, column(point), row(point)));
+            m_stars.emplace_back();
+            m_isWall.push_back(isWall);
+            m_isRemovable.push_back(isWall && !isAtBorder(point));
+            m_isQueued.push_back(true);
+        }
+        return known->second;
     }
 
-    [[nodiscard]] int column(std::uint32_t vertex) const {
-        return static_cast<int>(vertex % static_cast<std::uint32_t>(m_zmap.grid().nx));
+    [[nodiscard]] int column(std::uint32_t point) const {
+        return static_cast<int>(point % static_cast<std::uint32_t>(m_zmap.grid().nx));
     }
-    [[nodiscard]] int row(std::uint32_t vertex) const {
-        return static_cast<int>(vertex / static_cast<std::uint32_t>(m_zmap.grid().nx));
+    [[nodiscard]] int row(std::uint32_t point) const {
+        return static_cast<int>(point / static_cast<std::uint32_t>(m_zmap.grid().nx));
     }
-    [[nodiscard]] bool isAtBorder(std::uint32_t vertex) const {
-        const int i = column(vertex);
-        const int j = row(vertex);
+    [[nodiscard]] bool isAtBorder(std::uint32_t point) const {
+        const int i = column(point);
+        const int j = row(point);
         return i == 0 || j == 0 || i == m_zmap.grid().nx - 1 || j == m_zmap.grid().ny - 1;
     }
-    [[nodiscard]] Vec3 at(std::uint32_t vertex) const {
-        return vertexAt(m_zmap, column(vertex), row(vertex));
-    }
+    [[nodiscard]] const Vec3& at(Vertex vertex) const { return m_at[vertex]; }
     [[nodiscard]] Corners at(const LatticeTriangle& triangle) const {
         return {at(triangle[0]), at(triangle[1]), at(triangle[2])};
     }
-    [[nodiscard]] LatticeTriangle& corners(Triangle triangle) { return m_surface[m_beside[triangle].index]; }
+    [[nodiscard]] LatticeTriangle& corners(Triangle triangle) { return m_beside[triangle].corners; }
     [[nodiscard]] const LatticeTriangle& corners(Triangle triangle) const {
-        return m_surface[m_beside[triangle].index];
+        return m_beside[triangle].corners;
     }
     [[nodiscard]] static bool has(const LatticeTriangle& triangle, std::uint32_t vertex) {
         return std::ranges::find(triangle, vertex) != triangle.end();
@@ -109,7 +130,7 @@ private:
     /// The vertices around one, ascending.
     [[nodiscard]] std::vector<std::uint32_t> ringOf(std::uint32_t vertex) const {
         std::vector<std::uint32_t> ring;
-        for (const Triangle triangle : m_stars.at(vertex)) {
+        for (const Triangle triangle : m_stars[vertex]) {
             for (const std::uint32_t corner : corners(triangle)) {
                 if (corner != vertex)
                     ring.push_back(corner);
@@ -124,11 +145,11 @@ private:
     void tryRemove(std::uint32_t vertex) {
         const std::vector<std::uint32_t> ring = ringOf(vertex);
         std::vector<Vec3> points{at(vertex)};
-        for (const Triangle triangle : m_stars.at(vertex))
+        for (const Triangle triangle : m_stars[vertex])
             points.insert(points.end(), m_beside[triangle].removed.begin(), m_beside[triangle].removed.end());
         Change best;
         for (const std::uint32_t to : ring) {
-            if (!m_stars.contains(to))
+            if (!m_isWall[to] || m_stars[to].size() > kMostAround)
                 continue;
             Change change = changeTo(vertex, to, ring, points);
             if (change.error < best.error)
@@ -148,7 +169,7 @@ private:
         std::ranges::set_intersection(ring, other, std::back_inserter(common));
         if (common.size() != 2)
             return change; // else an edge would have more than two triangles
-        for (const Triangle triangle : m_stars.at(vertex)) {
+        for (const Triangle triangle : m_stars[vertex]) {
             LatticeTriangle now = corners(triangle);
             if (has(now, to))
                 continue;
@@ -249,27 +270,30 @@ private:
 
     void apply(std::uint32_t vertex, const Change& change, const std::vector<Vec3>& points,
                const std::vector<std::uint32_t>& ring) {
-        for (const Triangle triangle : m_stars.at(vertex)) {
+        for (const Triangle triangle : m_stars[vertex]) {
             m_beside[triangle].removed.clear();
             if (!has(corners(triangle), change.to))
                 continue;
-            for (const std::uint32_t corner : corners(triangle)) {
-                if (const auto star = m_stars.find(corner); corner != vertex && star != m_stars.end())
-                    std::erase(star->second, triangle);
+            for (const Vertex corner : corners(triangle)) {
+                if (corner != vertex)
+                    std::erase(m_stars[corner], triangle);
             }
             corners(triangle) = {vertex, vertex, vertex}; // it is gone
         }
-        std::vector<Triangle>& star = m_stars.at(change.to);
+        std::vector<Triangle>& star = m_stars[change.to];
         for (std::size_t k = 0; k < change.kept.size(); ++k) {
             corners(change.kept[k]) = change.corners[k];
             star.push_back(change.kept[k]);
         }
         for (std::size_t k = 0; k < points.size(); ++k)
             m_beside[change.kept[change.nearest[k]]].removed.push_back(points[k]);
-        m_stars.erase(vertex);
-        for (const std::uint32_t neighbour : ring) {
-            if (m_stars.contains(neighbour))
+        m_stars[vertex].clear();
+        m_isRemovable[vertex] = false;
+        for (const Vertex neighbour : ring) {
+            if (m_isRemovable[neighbour] && !m_isQueued[neighbour]) {
+                m_isQueued[neighbour] = true;
                 m_queue.push_back(neighbour);
+            }
         }
     }
 
@@ -279,8 +303,14 @@ private:
     double m_atWalls;
     double m_cell;
     std::vector<Beside> m_beside;
-    std::unordered_map<std::uint32_t, std::vector<Triangle>> m_stars; ///< of points beside walls
-    std::deque<std::uint32_t> m_queue;
+    std::unordered_map<std::uint32_t, Vertex> m_vertexOf; ///< by point
+    std::vector<std::uint32_t> m_points;                  ///< by vertex, as all that follow
+    std::vector<Vec3> m_at;
+    std::vector<std::vector<Triangle>> m_stars;
+    std::vector<bool> m_isWall;
+    std::vector<bool> m_isRemovable;
+    std::vector<bool> m_isQueued;
+    std::deque<Vertex> m_queue;
 };
 
 } // namespace

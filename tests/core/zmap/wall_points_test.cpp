@@ -40,6 +40,7 @@ TEST(WallPoints, MakeWallsVerticalAndStandOnTheOutline) {
                          std::to_string(spacing));
             const WalledMap map(region, spacing);
             ASSERT_GT(map.moment().walls().count(), 20U);
+            EXPECT_EQ(map.moment().walls().find(0, 0), nullptr) << "far from any wall";
             const double allowed = region.onOutline * spacing;
             double volume = 0;
             double folded = 0;
