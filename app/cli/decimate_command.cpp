@@ -72,7 +72,7 @@ ExitCode run(const DecimateOptions& options) {
     Report report(options.zmap);
     DecimationParameters parameters;
     options.decimation.apply(parameters, {}, 0);
-    const auto zmap = prepare(options, parameters);
+    auto zmap = prepare(options, parameters);
     if (!zmap) {
         report.addFatal(zmap.error());
         if (options.json)

@@ -92,12 +92,13 @@ bool FinalSurface::makeWatched(const ZMapSnapshot& zmap, const Order& order, con
 bool FinalSurface::write(const MeshOutputs& meshes, const ZMapSnapshot& zmap, const Order& order,
                          Report& report) {
     return unlessTooLarge(order, zmap.grid(), report, [&] {
+        ZMapSnapshot closed = zmap;
         const auto makeAgain = [&](const DecimationParameters& parameters) {
-            return makeWatched(zmap, order, [&](const WorkContext& context) {
-                return decimatedWhole(zmap, forExport(parameters), context);
+            return makeWatched(closed, order, [&](const WorkContext& context) {
+                return decimatedWhole(closed, forExport(parameters), context);
             });
         };
-        auto written = meshes.write(zmap, *m_surface, allowanceOf(order), makeAgain, report);
+        auto written = meshes.write(closed, *m_surface, allowanceOf(order), makeAgain, report);
         if (written)
             m_written = std::move(*written);
         return written.has_value();

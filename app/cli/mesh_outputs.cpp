@@ -68,23 +68,30 @@ Result<void> MeshOutputs::checkRounding(const DecimationParameters& promised, co
     return {};
 }
 
-std::optional<std::vector<MeshOutput>> MeshOutputs::write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
+std::optional<std::vector<MeshOutput>> MeshOutputs::write(ZMapSnapshot& zmap, SurfaceSnapshot& surface,
                                                           FileAllowance allowance, const MakeAgain& makeAgain,
                                                           Report& report) const {
     const DecimationParameters promised = allowance.promised();
+    const ErrorLevel level = errorLevel(promised);
     const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
-    const auto close = [&] {
-        return SolidForExport(zmap, closeSolid(zmap, surface.releaseTriangles(), {}, ofWalls),
-                              errorLevel(allowance.promised()));
+    const auto close = [&]() -> std::optional<SolidForExport> {
+        if (!zmap.walls().empty()) {
+            if (auto walled = closeWithWalls(zmap, surface.releaseTriangles(), ofWalls))
+                return SolidForExport(zmap, std::move(*walled), level);
+            zmap.setWalls({}); // none of them, and then their points are not needed
+            if (!makeAgain(allowance.parameters()))
+                return std::nullopt;
+        }
+        return SolidForExport(zmap, closeSolid(zmap, surface.releaseTriangles()), level);
     };
     std::optional<SolidForExport> solid = close();
-    while (allowance.reduce(*solid)) {
+    while (solid && allowance.reduce(*solid)) {
         solid.reset(); // two of them may not fit into memory
         if (!makeAgain(allowance.parameters()))
             return std::nullopt;
         solid = close();
     }
-    return writeAll(*solid, allowance, report);
+    return solid ? std::optional(writeAll(*solid, allowance, report)) : std::nullopt;
 }
 
 std::vector<MeshOutput> MeshOutputs::writeAll(SolidForExport& solid, const FileAllowance& allowance,

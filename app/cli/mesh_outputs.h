@@ -47,12 +47,15 @@ public:
 
     /// Makes the surface again with other parameters; false if that is not possible.
     using MakeAgain = std::function<bool(const DecimationParameters&)>;
-    /// Closes a surface made for `allowance` into a solid, consuming its triangles, and writes every file. If
-    /// a file would exceed the promised allowance, `surface` is first made again for less, by `makeAgain`; if
-    /// that is false, nothing is written and the result empty. Warnings and errors are added to the report.
-    [[nodiscard]] std::optional<std::vector<MeshOutput>>
-    write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface, FileAllowance allowance,
-          const MakeAgain& makeAgain, Report& report) const;
+    /// Closes a surface of `zmap`, made for `allowance`, into a solid, consuming its triangles, and writes
+    /// every file. If not all walls of `zmap` can be drawn where they stand, it loses them first, and the
+    /// surface is made again. If a file would exceed the promised allowance, `surface` is first made again
+    /// for less, by `makeAgain`; if that is false, nothing is written and the result empty. Warnings and
+    /// errors are added to the report.
+    [[nodiscard]] std::optional<std::vector<MeshOutput>> write(ZMapSnapshot& zmap, SurfaceSnapshot& surface,
+                                                               FileAllowance allowance,
+                                                               const MakeAgain& makeAgain,
+                                                               Report& report) const;
     /// Adds "exports", one row per file, and "stl" if that option was given.
     void addTo(nlohmann::ordered_json& object, const std::vector<MeshOutput>& written) const;
 

@@ -62,9 +62,10 @@ Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const 
     return ExportSummary{.file = file, .stock = true, .bytes = ignored ? 0 : bytes, .warnings = {}};
 }
 
-/// The solid for a file that keeps the allowance.
-Result<SolidForExport> makeSolid(const ZMapSnapshot& zmap, FileAllowance& allowance,
-                                 const ExportMemory& memory, const WorkContext& context) {
+/// The solid for a file that keeps the allowance; it refers to `zmap`, which loses its walls if not all of
+/// them can be drawn.
+Result<SolidForExport> makeSolid(ZMapSnapshot& zmap, FileAllowance& allowance, const ExportMemory& memory,
+                                 const WorkContext& context) {
     const WorkContext limited{memory.stop(), context.progress};
     const DecimationParameters promised = allowance.promised();
     const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
@@ -78,9 +79,17 @@ Result<SolidForExport> makeSolid(const ZMapSnapshot& zmap, FileAllowance& allowa
         std::vector<LatticeTriangle> triangles = surface.releaseTriangles();
         if (memory.isExceeded(triangles.size()))
             return memory.tooLarge();
-        SolidForExport solid(zmap,
-                             closeSolid(zmap, std::move(triangles), part.part(kDecimated, kClosed), ofWalls),
-                             errorLevel(allowance.promised()));
+        const WorkContext closing = part.part(kDecimated, kClosed);
+        TriangleMesh mesh;
+        if (zmap.walls().empty()) {
+            mesh = closeSolid(zmap, std::move(triangles), closing);
+        } else if (auto walled = closeWithWalls(zmap, std::move(triangles), ofWalls, closing)) {
+            mesh = std::move(*walled);
+        } else {
+            zmap.setWalls({}); // not all can be drawn: without them their points are not needed either
+            continue;
+        }
+        SolidForExport solid(zmap, std::move(mesh), errorLevel(allowance.promised()));
         const bool again = !limited.stopped() && allowance.reduce(solid, part.part(kClosed, 1));
         if (context.stopped())
             return cancelled();
@@ -111,7 +120,8 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (Result<void> writable = checkTarget(file, bytes); !writable)
         return tl::unexpected(std::move(writable.error()));
     FileAllowance allowance(parameters, coordinates, stock);
-    Result<SolidForExport> solid = makeSolid(frame.zmap, allowance, memory, context.part(0, kMade));
+    ZMapSnapshot zmap = frame.zmap;
+    Result<SolidForExport> solid = makeSolid(zmap, allowance, memory, context.part(0, kMade));
     if (!solid)
         return tl::unexpected(std::move(solid.error()));
     if (solid->mesh().triangles.empty())

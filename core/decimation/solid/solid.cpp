@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/decimation/solid/solid_above_floor.h"
@@ -75,21 +76,24 @@ bool isSoundInFloat(const TriangleMesh& solid) {
 
 } // namespace
 
-TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                        const WorkContext& context, double allowance) {
-    if (zmap.walls().empty())
-        return closed(zmap, std::move(surface), context);
-    std::vector<LatticeTriangle> walled = surface;
-    flipWallCaps(zmap, walled);
-    simplifyWalls(zmap, allowance, walled, context);
-    TriangleMesh solid = closed(zmap, std::move(walled), context);
+std::optional<TriangleMesh> closeWithWalls(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+                                           double allowance, const WorkContext& context) {
+    flipWallCaps(zmap, surface);
+    simplifyWalls(zmap, allowance, surface, context);
+    TriangleMesh solid = closed(zmap, std::move(surface), context);
     const auto isNear = [&] {
         return allowance <= 0 || measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample,
                                                    context.quiet()) <= allowance;
     };
     if (context.stopped() || (isSoundInFloat(solid) && isNear()))
         return solid;
-    // Walls that are nearer to each other than the grid resolves: all of them stand at points of the grid.
+    return std::nullopt;
+}
+
+TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+                        const WorkContext& context) {
+    if (zmap.walls().empty())
+        return closed(zmap, std::move(surface), context);
     ZMapSnapshot plain = zmap;
     plain.setWalls({});
     return closed(plain, std::move(surface), context);

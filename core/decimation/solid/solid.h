@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -29,11 +30,17 @@ inline constexpr double kPinchGap = 1e-4;
 /// sheets would touch are split and separated by kPinchGap, or by four steps of float32 if the coordinates
 /// are so large that STL could not hold the gap. Empty if nothing of the stock is left, or if the context was
 /// stopped. `surface` must cover the map without cracks (SurfaceSnapshot::triangles() of BorderRule::shared);
-/// moved in, its memory is reused for the solid. `allowance`: that of the surface, by which walls are
-/// simplified as well; 0: they keep all their points. Walls that cannot be drawn where they stand,
-/// because others are too near, are left at points of the grid, and all others with them. Any thread.
+/// moved in, its memory is reused for the solid. Its vertices are points of the grid. Any thread.
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                                      const WorkContext& context = {}, double allowance = 0);
+                                      const WorkContext& context = {});
+
+/// The same with walls where they stand, if `zmap` has them and `surface` has their points. `allowance`: that
+/// of the surface, by which walls are simplified as well; 0: they keep all their points. Nothing if other
+/// walls are so near that the grid does not resolve them: the solid would be farther from points of the map
+/// than allowed, or unsound in single precision.
+[[nodiscard]] std::optional<TriangleMesh> closeWithWalls(const ZMapSnapshot& zmap,
+                                                         std::vector<LatticeTriangle> surface,
+                                                         double allowance, const WorkContext& context = {});
 
 /// Whether closeSolid() has split and separated vertices of this solid.
 [[nodiscard]] bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid);

@@ -67,6 +67,7 @@ public:
 private:
     struct Beside {
         std::size_t index;         ///< in the surface
+        LatticeTriangle corners;   ///< as Vertex
         std::vector<Vec3> removed; ///< points that this triangle is nearest to
     };
     /// What a removal would make of the triangles around a vertex.

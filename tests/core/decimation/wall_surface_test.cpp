@@ -76,14 +76,15 @@ TEST(WallSurface, DecimatedSolidsHaveWallsOnTheirOutlineAndTheirVolume) {
             const IndexRect all{0, 0, map.grid().nx, map.grid().ny};
             for (const std::uint32_t wall : map.moment().walls().offsetsIn(all))
                 EXPECT_TRUE(vertices.contains(wall)) << wall % nx << " " << wall / nx;
-            expectWalls(map, region, closeSolid(map.moment(), surface.triangles()), 0);
+            const TriangleMesh full = *closeWithWalls(map.moment(), surface.triangles(), 0);
+            expectWalls(map, region, full, 0);
             const TriangleMesh simple =
-                closeSolid(map.moment(), surface.triangles(), {}, parameters.allowance);
+                *closeWithWalls(map.moment(), surface.triangles(), parameters.allowance);
             expectWalls(map, region, simple, kWallShare * parameters.allowance);
             EXPECT_LE(measureSolidError(map.moment(), simple, CoordinateType::float32, ErrorLevel::sample),
                       parameters.allowance);
             if (region.name != "circle") { // its chords are as long as the allowance lets them be already
-                EXPECT_LE(4 * steepCount(simple), steepCount(closeSolid(map.moment(), surface.triangles())));
+                EXPECT_LE(4 * steepCount(simple), steepCount(full));
             }
         }
     }
