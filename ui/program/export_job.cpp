@@ -141,7 +141,7 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
                          .largestErrorMm = exported->largestErrorMm,
                          .allowanceMm = decimates ? parameters.allowance : 0,
                          .certified = decimates && isBounded(parameters),
-                         .level = errorLevel(parameters),
+                         .level = zmap.walls().empty() ? errorLevel(parameters) : ErrorLevel::sample,
                          .warnings = std::move(exported->warnings)};
 }
 
