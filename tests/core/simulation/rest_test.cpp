@@ -26,7 +26,7 @@ std::vector<LatticeTriangle> fromScratch(const Frame& frame) {
 
 /// Beside walls the surface is not that of the plain z-map.
 ErrorLevel levelAtRest(const Frame& frame) {
-    return frame.zmap.walls().empty() ? ErrorLevel::surface : ErrorLevel::sample;
+    return frame.zmap.walls().empty() ? frame.parameters.level : ErrorLevel::sample;
 }
 
 TEST(AtRest, ShowsTheSameHoweverOneGotThere) {
