@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <unordered_map>
@@ -138,8 +139,7 @@ private:
             }
         }
         std::ranges::sort(ring);
-        const auto rest = std::ranges::unique(ring);
-        ring.erase(rest.begin(), rest.end());
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end()); // clang 14 lacks that of ranges
         return ring;
     }
 

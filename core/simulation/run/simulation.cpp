@@ -169,16 +169,8 @@ bool Simulation::canRefine() const {
 }
 
 void Simulation::refine(const WorkContext& context) {
-    State& state = *m_state;
-    if (!canRefine())
-        return;
-    Frame moment;
-    moment.block = state.stock.block;
-    moment.program = state.program;
-    moment.setup = state.setup;
-    moment.zmap = zmap();
-    state.atRest.follow(state.rims.find(moment, context.quiet()), state.parameters, state.surface.faces(),
-                        context);
+    if (canRefine())
+        m_state->refine(context);
 }
 
 SurfaceSnapshot Simulation::decimatedNow(const WorkContext& context) const {
@@ -217,13 +209,9 @@ Frame Simulation::frame() const {
     frame.program = state.program;
     frame.setup = state.setup;
     frame.parameters = state.parameters;
-    frame.zmap = zmap();
+    frame.zmap = state.atRest.isShown() ? state.atRest.zmap() : zmap();
     frame.surface = state.atRest.isShown() ? state.atRest.snapshot() : state.surface.snapshot();
-    // Walls stand where they are, and the full mesh of the plain z-map has them elsewhere.
-    if (state.atRest.isShown())
-        frame.zmap = state.atRest.zmap();
-    frame.level =
-        state.atRest.isShown() && frame.zmap.walls().empty() ? state.parameters.level : ErrorLevel::sample;
+    frame.level = state.atRest.isShown() ? state.atRest.level(state.parameters) : ErrorLevel::sample;
     frame.statistics = state.rows;
     frame.findings = state.stockFindings;
     append(frame.findings, state.setupFindings);

@@ -97,6 +97,8 @@ struct Simulation::State {
     /// Brings the surface into the state that the schedule requires: the regions that differ from `base` are
     /// dirty.
     void settle(const WorkContext& context);
+    /// Makes the surface that is shown at rest.
+    void refine(const WorkContext& context);
     /// Called when leaving a block whose decimation was stopped: its row would describe a surface that never
     /// existed.
     void abandonUnfinished();
