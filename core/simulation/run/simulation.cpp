@@ -170,7 +170,7 @@ bool Simulation::canRefine() const {
 
 void Simulation::refine(const WorkContext& context) {
     if (canRefine())
-        m_state->refine(context);
+        m_state->atRest.follow(frame(), m_state->surface.faces(), context);
 }
 
 SurfaceSnapshot Simulation::decimatedNow(const WorkContext& context) const {

@@ -10,7 +10,6 @@
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/block_rows.h"
 #include "core/simulation/run/changed_regions.h"
-#include "core/simulation/run/frame.h"
 #include "core/simulation/run/portions.h"
 #include "core/simulation/setup/automatic_grid.h"
 #include "core/simulation/setup/stock_position.h"
@@ -166,15 +165,6 @@ void Simulation::State::settle(const WorkContext& context) {
     if (!behind)
         rowBefore.reset();
     noteSurface();
-}
-
-void Simulation::State::refine(const WorkContext& context) {
-    Frame moment;
-    moment.block = stock.block;
-    moment.program = program;
-    moment.setup = setup;
-    moment.zmap = stock.zmap.snapshot();
-    atRest.follow(rims.find(moment, context.quiet()), parameters, surface.faces(), context);
 }
 
 void Simulation::State::abandonUnfinished() {

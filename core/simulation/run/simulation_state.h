@@ -13,7 +13,6 @@
 #include "core/simulation/run/checkpoints.h"
 #include "core/simulation/run/finding_log.h"
 #include "core/simulation/run/kept_records.h"
-#include "core/simulation/run/rim_finder.h"
 #include "core/simulation/run/schedule.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/run/surface_at_rest.h"
@@ -61,7 +60,6 @@ struct Simulation::State {
 
     SurfaceMemory surfaceMemory;
     SurfaceAtRest atRest;
-    RimFinder rims;
     KeptRecords keptRecords;
 
     Checkpoints checkpoints;
@@ -97,8 +95,6 @@ struct Simulation::State {
     /// Brings the surface into the state that the schedule requires: the regions that differ from `base` are
     /// dirty.
     void settle(const WorkContext& context);
-    /// Makes the surface that is shown at rest.
-    void refine(const WorkContext& context);
     /// Called when leaving a block whose decimation was stopped: its row would describe a surface that never
     /// existed.
     void abandonUnfinished();

@@ -7,18 +7,20 @@
 #include "core/base/memory.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/simulation/run/changed_regions.h"
+#include "core/simulation/run/frame.h"
 
 namespace proveout {
 
-void SurfaceAtRest::follow(ZMapSnapshot now, const DecimationParameters& parameters, std::size_t faces,
-                           const WorkContext& context) {
-    const double needed = bytesAtRest(parameters, now.grid(), faces);
+void SurfaceAtRest::follow(const Frame& moment, std::size_t faces, const WorkContext& context) {
+    const DecimationParameters& parameters = moment.parameters;
+    const double needed = bytesAtRest(parameters, moment.zmap.grid(), faces);
     if (needed - m_bytes > static_cast<double>(memoryLimitBytes())) {
         *this = {};
         m_fits = false;
         return;
     }
     m_bytes = needed;
+    ZMapSnapshot now = m_rims.find(moment, context.quiet());
     now.setWalls(m_zmap ? WallPoints(now, *m_zmap, m_zmap->walls()) : WallPoints(now));
     std::vector<std::size_t> changed;
     if (m_zmap)

@@ -6,6 +6,7 @@
 
 #include "core/base/work_context.h"
 #include "core/decimation/surface/refined_surface.h"
+#include "core/simulation/run/rim_finder.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -13,10 +14,9 @@ namespace proveout {
 /// The refined surface that is shown while nothing is cut, if there is memory for it. Owned by one thread.
 class SurfaceAtRest {
 public:
-    /// Makes the refined surface for a snapshot, which has its rims. `faces` is the number of faces of the
+    /// Makes the refined surface for a moment, with its walls. `faces` is the number of faces of the
     /// scheduled surface, from which the memory is estimated. A stopped context leaves it unfinished.
-    void follow(ZMapSnapshot now, const DecimationParameters& parameters, std::size_t faces,
-                const WorkContext& context);
+    void follow(const Frame& moment, std::size_t faces, const WorkContext& context);
     /// Call it when the z-map has changed.
     void outdate();
 
@@ -33,6 +33,7 @@ public:
     }
 
 private:
+    RimFinder m_rims;
     RefinedSurface m_surface;
     std::optional<ZMapSnapshot> m_zmap; ///< the z-map that it follows
     double m_bytes = 0;                 ///< the memory it needs
