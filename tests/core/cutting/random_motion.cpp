@@ -2,10 +2,12 @@
 #include "tests/core/cutting/random_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <numbers>
+#include <ostream>
 #include <utility>
 
 #include "core/cutting/cut/cutting.h"
@@ -320,6 +322,46 @@ double largestErrorNear(Random& random, const Cutter& cutter, const Motion& moti
         largest = std::max(largest, errorAt(moment, i, j, cutter, path));
     }
     return largest;
+}
+
+namespace {
+
+template<StraightKind kind>
+Motion straight(Random& random, const StockBox& stock) {
+    return randomStraight(random, stock, kind);
+}
+
+template<Plane plane, ArcKind kind>
+Motion arc(Random& random, const StockBox& stock) {
+    return randomArc(random, stock, plane, kind);
+}
+
+constexpr std::array kMotionRows = {
+    MotionRow{"level", straight<StraightKind::level>, 300},
+    MotionRow{"sloped", straight<StraightKind::sloped>, 300},
+    MotionRow{"steep", straight<StraightKind::steep>, 300},
+    MotionRow{"plunge", straight<StraightKind::plunge>, 300},
+    MotionRow{"still", straight<StraightKind::still>, 300},
+    MotionRow{"arcXy", arc<Plane::xy, ArcKind::level>, 1000},
+    MotionRow{"arcZx", arc<Plane::zx, ArcKind::level>, 1000},
+    MotionRow{"arcYz", arc<Plane::yz, ArcKind::level>, 1000},
+    MotionRow{"helixXy", arc<Plane::xy, ArcKind::helix>, 1000},
+    MotionRow{"helixZx", arc<Plane::zx, ArcKind::helix>, 1000},
+    MotionRow{"helixYz", arc<Plane::yz, ArcKind::helix>, 1000},
+    MotionRow{"spiralXy", arc<Plane::xy, ArcKind::spiral>, 1000},
+    MotionRow{"spiralZx", arc<Plane::zx, ArcKind::spiral>, 1000},
+    MotionRow{"spiralYz", arc<Plane::yz, ArcKind::spiral>, 1000},
+    MotionRow{"turnsXy", arc<Plane::xy, ArcKind::turns>, 1000},
+};
+
+} // namespace
+
+std::span<const MotionRow> motionRows() {
+    return kMotionRows;
+}
+
+void PrintTo(const MotionRow& row, std::ostream* out) {
+    *out << row.name;
 }
 
 } // namespace proveout

@@ -2,7 +2,9 @@
 // Random cutters and motions for a small stock.
 #pragma once
 
+#include <iosfwd>
 #include <random>
+#include <span>
 #include <string>
 
 #include "core/cutter/cutter.h"
@@ -29,6 +31,15 @@ enum class StraightKind { level, sloped, steep, plunge, still };
 
 enum class ArcKind { level, helix, spiral, turns };
 [[nodiscard]] Motion randomArc(Random& random, const StockBox& stock, Plane plane, ArcKind kind);
+
+/// One row per kind of motion.
+struct MotionRow {
+    const char* name;
+    Motion (*make)(Random& random, const StockBox& stock);
+    int samples; ///< of the path, enough for the oracle to 1e-3 mm
+};
+[[nodiscard]] std::span<const MotionRow> motionRows();
+void PrintTo(const MotionRow& row, std::ostream* out);
 
 /// The text that is printed when a random case fails.
 [[nodiscard]] std::string reported(const Cutter& cutter, const Motion& motion);

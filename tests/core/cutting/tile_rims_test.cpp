@@ -227,37 +227,6 @@ TEST(TileRims, AreNoneOfAFinishedSurface) {
 
 const StockBox kStock{{-3, 5, 2}, 24, 18, 30};
 
-struct MotionRow {
-    const char* name;
-    Motion (*make)(Random& random);
-    int samples; ///< for the oracle
-};
-
-template<StraightKind kind>
-Motion straight(Random& random) {
-    return randomStraight(random, kStock, kind);
-}
-
-template<Plane plane, ArcKind kind>
-Motion arc(Random& random) {
-    return randomArc(random, kStock, plane, kind);
-}
-
-constexpr std::array kMotions = {
-    MotionRow{"level", straight<StraightKind::level>, 100},
-    MotionRow{"sloped", straight<StraightKind::sloped>, 100},
-    MotionRow{"steep", straight<StraightKind::steep>, 100},
-    MotionRow{"plunge", straight<StraightKind::plunge>, 50},
-    MotionRow{"arcXy", arc<Plane::xy, ArcKind::level>, 400},
-    MotionRow{"arcZx", arc<Plane::zx, ArcKind::level>, 400},
-    MotionRow{"arcYz", arc<Plane::yz, ArcKind::level>, 400},
-    MotionRow{"helixXy", arc<Plane::xy, ArcKind::helix>, 400},
-    MotionRow{"helixZx", arc<Plane::zx, ArcKind::helix>, 400},
-    MotionRow{"spiralXy", arc<Plane::xy, ArcKind::spiral>, 400},
-    MotionRow{"spiralYz", arc<Plane::yz, ArcKind::spiral>, 400},
-    MotionRow{"turnsXy", arc<Plane::xy, ArcKind::turns>, 1000},
-};
-
 /// Some motions of random cutters on a random grid.
 struct RandomCase {
     std::vector<Cutter> cutters;
@@ -269,9 +238,9 @@ struct RandomCase {
         : spacing(uniform(random, 0.3, 2)) {
         cutters.reserve(count);
         for (unsigned k = 0; k < count; ++k) {
-            const MotionRow& row = k == 0 ? first : kMotions[random() % kMotions.size()];
+            const MotionRow& row = k == 0 ? first : motionRows()[random() % motionRows().size()];
             cutters.push_back(randomCutter(random, shape));
-            const Motion motion = row.make(random);
+            const Motion motion = row.make(random, kStock);
             paths.emplace_back(motion, row.samples);
             motions.push_back({&cutters.back(), motion});
         }
@@ -481,7 +450,7 @@ TEST(TileRims, AgreeWithTheOracle) {
     const std::uint32_t first = randomSeed();
     int compared = 0;
     for (const CutterShape& shape : cutterShapes())
-        for (const MotionRow& row : kMotions)
+        for (const MotionRow& row : motionRows())
             for (int k = 0; k < casesOf(1); ++k) {
                 const std::uint32_t seed = first + static_cast<std::uint32_t>(k);
                 Random random(seed);
@@ -495,7 +464,7 @@ TEST(TileRims, AgreeWithTheOracle) {
 TEST(TileRims, OfSeveralMotionsAgreeWithTheOracle) {
     const std::uint32_t first = randomSeed();
     int compared = 0;
-    for (const MotionRow& row : kMotions)
+    for (const MotionRow& row : motionRows())
         for (int k = 0; k < casesOf(2); ++k) {
             const std::uint32_t seed = first + static_cast<std::uint32_t>(k);
             Random random(seed);
@@ -519,7 +488,7 @@ TEST(TileRims, DoNotDependOnTheOrderOfMotionsNorOnThoseFarAway) {
     const auto shapes = cutterShapes();
     for (int k = 0; k < roundsOf(4); ++k) {
         const std::string shape(shapes[random() % shapes.size()].key);
-        const RandomCase made(random, shape, kMotions[random() % kMotions.size()], 5);
+        const RandomCase made(random, shape, motionRows()[random() % motionRows().size()], 5);
         CutMap cut(kStock, made.spacing / 5, made.motions);
         // The same walls at other depths, as of a pocket cut in steps.
         for (const CutterMotion& motion : made.motions) {
