@@ -130,6 +130,15 @@ std::int32_t GreedyInsertion::insertPoint(const RegionPatch& patch, std::int32_t
     return p;
 }
 
+/// Before any triangle is checked; the point is searched for from the vertex `before`.
+std::int32_t GreedyInsertion::insertFrom(const RegionPatch& patch, std::int32_t before, std::int32_t i,
+                                         std::int32_t j, LatticeTriangulation& mesh) {
+    m_touched.clear();
+    occupied(i, j) = 1;
+    const std::int32_t t = mesh.locate(LatticeTriangulation::triangleOf(mesh.edgeFrom(before)), i, j);
+    return mesh.insert(t, {i, j, patch.at(i, j)}, m_touched);
+}
+
 void GreedyInsertion::insertBorders(const RegionPatch& patch,
                                     const std::array<std::span<const std::uint32_t>, 4>& borders,
                                     LatticeTriangulation& mesh) {
@@ -143,10 +152,7 @@ void GreedyInsertion::insertBorders(const RegionPatch& patch,
             const bool alongX = side == Side::south || side == Side::north;
             const std::int32_t i = alongX ? along : side == Side::east ? east : 0;
             const std::int32_t j = !alongX ? along : side == Side::north ? north : 0;
-            m_touched.clear();
-            const std::int32_t t = mesh.locate(LatticeTriangulation::triangleOf(mesh.edgeFrom(before)), i, j);
-            occupied(i, j) = 1;
-            before = mesh.insert(t, {i, j, patch.at(i, j)}, m_touched);
+            before = insertFrom(patch, before, i, j, mesh);
         }
     }
 }
@@ -159,10 +165,7 @@ void GreedyInsertion::insertWalls(const RegionPatch& patch, LatticeTriangulation
         const auto j = static_cast<std::int32_t>(offset / m_width);
         if (occupied(i, j) != 0)
             continue;
-        m_touched.clear();
-        const std::int32_t t = mesh.locate(LatticeTriangulation::triangleOf(mesh.edgeFrom(before)), i, j);
-        occupied(i, j) = 1;
-        before = mesh.insert(t, {i, j, patch.at(i, j)}, m_touched);
+        before = insertFrom(patch, before, i, j, mesh);
     }
 }
 

@@ -39,6 +39,8 @@ private:
     }
     void insertBorders(const RegionPatch& patch, const std::array<std::span<const std::uint32_t>, 4>& borders,
                        LatticeTriangulation& mesh);
+    std::int32_t insertFrom(const RegionPatch& patch, std::int32_t before, std::int32_t i, std::int32_t j,
+                            LatticeTriangulation& mesh);
     void insertWalls(const RegionPatch& patch, LatticeTriangulation& mesh);
     void pushTouched(LatticeTriangulation& mesh);
 

@@ -46,9 +46,8 @@ namespace proveout {
 
 namespace {
 
-TriangleMesh closed(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+TriangleMesh closed(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
                     const WorkContext& context) {
-    const SolidFrame frame(zmap);
     const bool touches =
         std::any_of(surface.begin(), surface.end(), [&frame](const LatticeTriangle& triangle) {
             return frame.onFloor(triangle[0]) || frame.onFloor(triangle[1]) || frame.onFloor(triangle[2]);
@@ -78,9 +77,11 @@ bool isSoundInFloat(const TriangleMesh& solid) {
 
 std::optional<TriangleMesh> closeWithWalls(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                            double allowance, const WorkContext& context) {
-    flipWallCaps(zmap, surface);
-    simplifyWalls(zmap, allowance, surface, context);
-    TriangleMesh solid = closed(zmap, std::move(surface), context);
+    const SolidFrame frame(zmap);
+    flipWallCaps(frame, surface);
+    if (allowance > 0)
+        simplifyWalls(frame, allowance, surface, context);
+    TriangleMesh solid = closed(frame, std::move(surface), context);
     const auto isNear = [&] {
         return allowance <= 0 || measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample,
                                                    context.quiet()) <= allowance;
@@ -93,10 +94,10 @@ std::optional<TriangleMesh> closeWithWalls(const ZMapSnapshot& zmap, std::vector
 TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                         const WorkContext& context) {
     if (zmap.walls().empty())
-        return closed(zmap, std::move(surface), context);
+        return closed(SolidFrame(zmap), std::move(surface), context);
     ZMapSnapshot plain = zmap;
     plain.setWalls({});
-    return closed(plain, std::move(surface), context);
+    return closed(SolidFrame(plain), std::move(surface), context);
 }
 
 bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid) {

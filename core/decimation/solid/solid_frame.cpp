@@ -25,6 +25,16 @@ SolidFrame::SolidFrame(const ZMapSnapshot& zmap)
     m_gapXY = std::max(gapAt(grid.x(0), grid.x(grid.nx - 1)), gapAt(grid.y(0), grid.y(grid.ny - 1)));
 }
 
+bool SolidFrame::onOutline(std::uint32_t lattice) const {
+    const int i = column(lattice);
+    const int j = row(lattice);
+    return i == 0 || j == 0 || i == nx() - 1 || j == ny() - 1;
+}
+
+bool SolidFrame::isBesideWall(std::uint32_t lattice) const {
+    return m_zmap->walls().find(column(lattice), row(lattice)) != nullptr;
+}
+
 Vec2 SolidFrame::plan(std::uint32_t lattice) const {
     return Vec2(vertexAt(*m_zmap, column(lattice), row(lattice)));
 }

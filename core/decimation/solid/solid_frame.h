@@ -36,6 +36,11 @@ public:
                static_cast<std::uint32_t>(i);
     }
 
+    [[nodiscard]] const ZMapSnapshot& zmap() const { return *m_zmap; }
+    /// Whether it is on one of the four sides of the map.
+    [[nodiscard]] bool onOutline(std::uint32_t lattice) const;
+    [[nodiscard]] bool isBesideWall(std::uint32_t lattice) const;
+
     /// Of the vertex that is this grid point: beside a wall, it is on the wall.
     [[nodiscard]] Vec2 plan(std::uint32_t lattice) const;
     /// The point of the surface over a grid point.

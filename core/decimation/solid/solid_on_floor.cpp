@@ -151,9 +151,7 @@ private:
     /// vertices saves sorting all edges of the mesh.
     [[nodiscard]] bool mayBeBoundary(std::uint32_t vertex) const {
         const std::uint32_t lattice = m_plan[vertex];
-        const int i = m_frame.column(lattice);
-        const int j = m_frame.row(lattice);
-        return m_atHole[lattice] || i == 0 || j == 0 || i == m_frame.nx() - 1 || j == m_frame.ny() - 1;
+        return m_atHole[lattice] || m_frame.onOutline(lattice);
     }
 
     /// The edges with a triangle on only one side.

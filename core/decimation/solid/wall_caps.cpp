@@ -20,10 +20,12 @@ constexpr int kMostRounds = 8;
 
 class WallCaps {
 public:
-    WallCaps(const ZMapSnapshot& zmap, std::vector<LatticeTriangle>& surface)
-        : m_zmap(zmap), m_surface(surface), m_cell(std::max(zmap.grid().hx, zmap.grid().hy)) {
+    WallCaps(const SolidFrame& frame, std::vector<LatticeTriangle>& surface)
+        : m_frame(frame), m_surface(surface),
+          m_cell(std::max(frame.zmap().grid().hx, frame.zmap().grid().hy)) {
         for (std::size_t t = 0; t < surface.size(); ++t) {
-            const auto walls = std::ranges::count_if(surface[t], [&](auto vertex) { return isWall(vertex); });
+            const auto walls =
+                std::ranges::count_if(surface[t], [&](auto vertex) { return frame.isBesideWall(vertex); });
             if (walls < 2)
                 continue;
             link(t);
@@ -42,19 +44,6 @@ public:
     }
 
 private:
-    [[nodiscard]] int column(std::uint32_t vertex) const {
-        return static_cast<int>(vertex % static_cast<std::uint32_t>(m_zmap.grid().nx));
-    }
-    [[nodiscard]] int row(std::uint32_t vertex) const {
-        return static_cast<int>(vertex / static_cast<std::uint32_t>(m_zmap.grid().nx));
-    }
-    [[nodiscard]] bool isWall(std::uint32_t vertex) const {
-        return m_zmap.walls().find(column(vertex), row(vertex)) != nullptr;
-    }
-    [[nodiscard]] Vec3 at(std::uint32_t vertex) const {
-        return vertexAt(m_zmap, column(vertex), row(vertex));
-    }
-
     [[nodiscard]] static std::uint64_t key(std::uint32_t from, std::uint32_t to) {
         return std::uint64_t{from} << 32U | to;
     }
@@ -65,7 +54,8 @@ private:
 
     /// The side opposite the middle point of a triangle that is a cap, by its first corner.
     [[nodiscard]] std::optional<std::size_t> longSideOfCap(std::size_t t) const {
-        const std::array corners{at(m_surface[t][0]), at(m_surface[t][1]), at(m_surface[t][2])};
+        const std::array corners{m_frame.top(m_surface[t][0]), m_frame.top(m_surface[t][1]),
+                                 m_frame.top(m_surface[t][2])};
         const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         std::size_t longest = 0;
         double length = 0;
@@ -105,7 +95,7 @@ private:
         return true;
     }
 
-    const ZMapSnapshot& m_zmap;
+    const SolidFrame& m_frame;
     std::vector<LatticeTriangle>& m_surface;
     double m_cell;
     std::unordered_map<std::uint64_t, std::size_t> m_triangleAt; ///< by the edge that leads around it
@@ -114,9 +104,8 @@ private:
 
 } // namespace
 
-void flipWallCaps(const ZMapSnapshot& zmap, std::vector<LatticeTriangle>& surface) {
-    if (!zmap.walls().empty())
-        WallCaps(zmap, surface).flipAll();
+void flipWallCaps(const SolidFrame& frame, std::vector<LatticeTriangle>& surface) {
+    WallCaps(frame, surface).flipAll();
 }
 
 } // namespace proveout

@@ -41,9 +41,9 @@ Vec3 normalOf(const Corners& corners) {
 
 class WallSimplifier {
 public:
-    WallSimplifier(const ZMapSnapshot& zmap, double allowance, std::vector<LatticeTriangle>& surface)
-        : m_zmap(zmap), m_surface(surface), m_allowance(allowance), m_atWalls(kWallShare * allowance),
-          m_cell(std::max(zmap.grid().hx, zmap.grid().hy)) {
+    WallSimplifier(const SolidFrame& frame, double allowance, std::vector<LatticeTriangle>& surface)
+        : m_frame(frame), m_zmap(frame.zmap()), m_surface(surface), m_allowance(allowance),
+          m_atWalls(kWallShare * allowance), m_cell(std::max(m_zmap.grid().hx, m_zmap.grid().hy)) {
         for (std::size_t t = 0; t < surface.size(); ++t)
             add(t);
     }
@@ -81,9 +81,7 @@ private:
     };
 
     void add(std::size_t t) {
-        const auto isWall = [&](std::uint32_t point) {
-            return m_zmap.walls().find(column(point), row(point)) != nullptr;
-        };
+        const auto isWall = [&](std::uint32_t point) { return m_frame.isBesideWall(point); };
         if (std::ranges::none_of(m_surface[t], isWall))
             return;
         LatticeTriangle corners{};
@@ -97,26 +95,15 @@ private:
         const auto [known, isNew] = m_vertexOf.try_emplace(point, static_cast<Vertex>(m_at.size()));
         if (isNew) {
             m_points.push_back(point);
-            m_at.push_back(vertexAt(m_zmap, column(point), row(point)));
+            m_at.push_back(m_frame.top(point));
             m_stars.emplace_back();
             m_isWall.push_back(isWall);
-            m_isRemovable.push_back(isWall && !isAtBorder(point));
+            m_isRemovable.push_back(isWall && !m_frame.onOutline(point));
             m_isQueued.push_back(true);
         }
         return known->second;
     }
 
-    [[nodiscard]] int column(std::uint32_t point) const {
-        return static_cast<int>(point % static_cast<std::uint32_t>(m_zmap.grid().nx));
-    }
-    [[nodiscard]] int row(std::uint32_t point) const {
-        return static_cast<int>(point / static_cast<std::uint32_t>(m_zmap.grid().nx));
-    }
-    [[nodiscard]] bool isAtBorder(std::uint32_t point) const {
-        const int i = column(point);
-        const int j = row(point);
-        return i == 0 || j == 0 || i == m_zmap.grid().nx - 1 || j == m_zmap.grid().ny - 1;
-    }
     [[nodiscard]] const Vec3& at(Vertex vertex) const { return m_at[vertex]; }
     [[nodiscard]] Corners at(const LatticeTriangle& triangle) const {
         return {at(triangle[0]), at(triangle[1]), at(triangle[2])};
@@ -298,6 +285,7 @@ private:
         }
     }
 
+    const SolidFrame& m_frame;
     const ZMapSnapshot& m_zmap;
     std::vector<LatticeTriangle>& m_surface;
     double m_allowance;
@@ -316,10 +304,9 @@ private:
 
 } // namespace
 
-void simplifyWalls(const ZMapSnapshot& zmap, double allowance, std::vector<LatticeTriangle>& surface,
+void simplifyWalls(const SolidFrame& frame, double allowance, std::vector<LatticeTriangle>& surface,
                    const WorkContext& context) {
-    if (!zmap.walls().empty() && allowance > 0)
-        WallSimplifier(zmap, allowance, surface).run(context);
+    WallSimplifier(frame, allowance, surface).run(context);
 }
 
 } // namespace proveout
