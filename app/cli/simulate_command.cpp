@@ -69,13 +69,6 @@ struct Seconds {
     double total = 0;
 };
 
-std::size_t rimCount(const RimMap& rims) {
-    std::size_t count = 0;
-    for (std::size_t tile = 0; tile < rims.size(); ++tile)
-        count += rims[tile] == nullptr ? 0 : rims[tile]->rims.size();
-    return count;
-}
-
 /// One run of the command; each part adds its errors to the report.
 class SimulateRun {
 public:
@@ -313,10 +306,8 @@ private:
     }
 
     void findRims() {
-        if (hasWalls()) {
+        if (hasWalls())
             m_frame.zmap = RimFinder().find(m_frame);
-            m_frame.zmap.setWalls(WallPoints(m_frame.zmap));
-        }
         m_seconds.rims = lap();
     }
 
@@ -415,7 +406,7 @@ private:
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
         if (hasWalls())
-            out["rims"] = rimCount(m_frame.zmap.rims());
+            out["rims"] = countOf(m_frame.zmap.rims());
         out["records"] = totalsAsJson(m_totals, *m_program, m_frame.setup);
         m_options.meshes.addTo(out, m_surface.written());
         if (m_options.box.wanted())

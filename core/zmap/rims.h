@@ -51,4 +51,12 @@ using RimTilePtr = std::shared_ptr<const RimTile>;
 /// Per tile of a z-map; null: no rim. Empty: rims are not known. Equal pointers mean equal rims.
 using RimMap = PersistentArray<RimTilePtr>;
 
+/// The number of rims in all tiles.
+[[nodiscard]] inline std::size_t countOf(const RimMap& rims) {
+    std::size_t count = 0;
+    for (std::size_t tile = 0; tile < rims.size(); ++tile)
+        count += rims[tile] == nullptr ? 0 : rims[tile]->rims.size();
+    return count;
+}
+
 } // namespace proveout

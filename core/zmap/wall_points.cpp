@@ -96,13 +96,13 @@ private:
     std::size_t m_count = 0;
 };
 
-bool sameAround(const ZMapSnapshot& a, const ZMapSnapshot& b, std::size_t tile) {
+bool sameAround(const ZMapSnapshot& a, const RimMap& before, std::size_t tile) {
     const int i = static_cast<int>(tile) % a.tilesX();
     const int j = static_cast<int>(tile) / a.tilesX();
     for (int tj = std::max(j - 1, 0); tj <= std::min(j + 1, a.tilesY() - 1); ++tj) {
         for (int ti = std::max(i - 1, 0); ti <= std::min(i + 1, a.tilesX() - 1); ++ti) {
             const auto index = static_cast<std::size_t>(tj * a.tilesX() + ti);
-            if (a.rims()[index] != b.rims()[index])
+            if (a.rims()[index] != before[index])
                 return false;
         }
     }
@@ -133,16 +133,21 @@ std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size
 
 WallPoints::WallPoints(const ZMapSnapshot& zmap) : WallPoints(zmap, {}, {}) {}
 
-WallPoints::WallPoints(const ZMapSnapshot& zmap, const ZMapSnapshot& before, const WallPoints& points)
+WallPoints::WallPoints(const ZMapSnapshot& zmap, const RimMap& before, const WallPoints& points)
     : m_tilesX(zmap.tilesX()) {
     if (zmap.rims().empty())
         return;
-    const bool follows =
-        before.rims().size() == zmap.tileCount() && points.m_tiles.size() == zmap.tileCount();
+    const bool follows = before.size() == zmap.tileCount() && points.m_tiles.size() == zmap.tileCount();
     std::vector<std::shared_ptr<const WallTile>> tiles(zmap.tileCount());
     inParallel(tiles.size(), [&](std::size_t tile) {
-        tiles[tile] =
-            follows && sameAround(zmap, before, tile) ? points.m_tiles[tile] : wallPointsOf(zmap, tile);
+        const std::shared_ptr<const WallTile> last = follows ? points.m_tiles[tile] : nullptr;
+        if (follows && sameAround(zmap, before, tile)) {
+            tiles[tile] = last;
+            return;
+        }
+        tiles[tile] = wallPointsOf(zmap, tile);
+        if (last && tiles[tile] && *last == *tiles[tile])
+            tiles[tile] = last;
     });
     for (std::shared_ptr<const WallTile>& tile : tiles) {
         m_count += tile ? tile->points.size() : 0;

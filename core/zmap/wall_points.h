@@ -10,6 +10,7 @@
 #include "core/base/geometry.h"
 #include "core/base/index_rect.h"
 #include "core/base/persistent_array.h"
+#include "core/zmap/rims.h"
 
 namespace proveout {
 
@@ -40,13 +41,17 @@ public:
     /// `zmap` has rims, or there are no wall points. In parallel.
     explicit WallPoints(const ZMapSnapshot& zmap);
     /// The same, where tiles whose rims are those of `before`, and whose neighbours' are as well, keep what
-    /// `points` has for them.
-    WallPoints(const ZMapSnapshot& zmap, const ZMapSnapshot& before, const WallPoints& points);
+    /// `points` has for them; others with the same points share them.
+    WallPoints(const ZMapSnapshot& zmap, const RimMap& before, const WallPoints& points);
 
     [[nodiscard]] bool empty() const { return m_count == 0; }
     [[nodiscard]] std::size_t count() const { return m_count; }
     /// Null: none. Equal pointers mean equal points.
-    [[nodiscard]] std::shared_ptr<const WallTile> tile(std::size_t index) const {
+    [[nodiscard]] const WallTile* tile(std::size_t index) const {
+        return m_tiles.empty() ? nullptr : m_tiles[index].get();
+    }
+    /// Keeps them from being replaced by others at the same address.
+    [[nodiscard]] std::shared_ptr<const WallTile> share(std::size_t index) const {
         return m_tiles.empty() ? nullptr : m_tiles[index];
     }
     /// Null where point (i, j) is not beside a wall.

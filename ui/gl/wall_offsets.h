@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -30,10 +29,15 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    using Around = std::array<std::shared_ptr<const WallTile>, 9>; ///< a tile and its neighbours, by rows
+    struct Uploaded {
+        std::shared_ptr<const WallTile> walls;
+        std::shared_ptr<const Tile> heights; ///< from which the points were moved
+    };
 
     void restart(Gl& gl, const ZMapSnapshot& moment);
-    [[nodiscard]] static Around around(const ZMapSnapshot& moment, std::size_t tile);
+    /// The tiles beside whose points differ from those uploaded, and their neighbours, ascending.
+    [[nodiscard]] std::vector<std::size_t> changedTiles(const ZMapSnapshot& moment) const;
+    void givePlaces(const std::vector<std::size_t>& tiles);
     [[nodiscard]] bool makeRoom(Gl& gl, std::size_t places);
     [[nodiscard]] std::size_t upload(Gl& gl, const ZMapSnapshot& moment, std::size_t tile);
 
@@ -43,8 +47,9 @@ private:
     Grid m_grid;
     bool m_refused = false;
     bool m_shown = false;
+    bool m_isWhole = true;               ///< false: the texture has grown, and nothing is in it
     bool m_placesDue = false;            ///< a tile has got a place since they were uploaded
-    std::vector<Around> m_uploaded;      ///< per tile
+    std::vector<Uploaded> m_uploaded;    ///< per tile
     std::vector<std::int32_t> m_placeOf; ///< per tile; below 0: none
     std::size_t m_used = 0;
 };

@@ -34,7 +34,11 @@ ZMapSnapshot RimFinder::find(const Frame& moment, const WorkContext& context) {
     const std::size_t motions = motionsOf(*m_program, moment.block);
     ZMapSnapshot zmap = moment.zmap;
     const bool done = readMotions(motions, context.stop) && findTiles(zmap, motions, context);
-    zmap.setRims(done ? m_rims : RimMap());
+    if (!done)
+        return zmap;
+    zmap.setRims(m_rims);
+    m_walls = WallPoints(zmap, std::exchange(m_rimsOfWalls, m_rims), m_walls);
+    zmap.setWalls(m_walls);
     return zmap;
 }
 
@@ -44,6 +48,8 @@ void RimFinder::restart(const Frame& moment) {
     m_uncut = isBox ? nullptr : topOf(zmap.stock(), moment.setup->shape, zmap.grid());
     m_index = MotionIndex(zmap.stock(), zmap.grid());
     m_rims = RimMap(zmap.tileCount());
+    m_rimsOfWalls = {};
+    m_walls = {};
     m_ends.assign(zmap.tileCount(), kUnknown);
     m_tools = ToolChoice(*moment.program, *moment.setup);
     m_program = moment.program;
@@ -115,10 +121,9 @@ RimTilePtr RimFinder::rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::si
 
 void RimFinder::adopt(std::size_t tile, RimTilePtr rims, std::size_t end) {
     m_ends[tile] = static_cast<std::uint32_t>(end);
-    const RimTilePtr& last = std::as_const(m_rims)[tile];
-    if (rims == last || (rims != nullptr && last != nullptr && *rims == *last))
-        return;
-    m_rims.edit(tile) = std::move(rims);
+    // Equal rims too, because heights beside them may be others: walls are compared as such.
+    if (rims != nullptr || std::as_const(m_rims)[tile] != nullptr)
+        m_rims.edit(tile) = std::move(rims);
 }
 
 } // namespace proveout

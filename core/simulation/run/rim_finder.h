@@ -19,16 +19,16 @@ namespace proveout {
 
 struct Frame;
 
-/// Only rims between nearly level parts of the surface: points beside others stay where they are.
-/// The rims of a tile are a function of the motions that may have lowered it and its surroundings. So only
-/// tiles over which other motions were cut than in the moment for which they were found last are looked at
-/// again, wherever in the program that was, and if it was edited since then. Owned by one thread, which need
-/// not be that of the simulation; works on tiles in parallel inside.
+/// Only those between nearly level parts of the surface: points beside others stay where they are. The rims
+/// of a tile are a function of the motions that may have lowered it and its surroundings. So only tiles over
+/// which other motions were cut than in the moment for which they were found last are looked at again,
+/// wherever in the program that was, and if it was edited since then. Owned by one thread, which need not be
+/// that of the simulation; works on tiles in parallel inside.
 class RimFinder {
 public:
-    /// The z-map of a moment, with its rims; they are not known if it was stopped. Tiles with the same rims
-    /// as in the last result keep their pointers. Tiles that were found before a stop count for the next
-    /// call.
+    /// The z-map of a moment, with its rims and walls; without them if it was stopped. Tiles with the same
+    /// walls as in the last result keep their pointers. Tiles that were found before a stop count for the
+    /// next call.
     [[nodiscard]] ZMapSnapshot find(const Frame& moment, const WorkContext& context = {});
 
 private:
@@ -49,6 +49,8 @@ private:
     ToolChoice m_tools;
     MotionIndex m_index;
     RimMap m_rims;
+    RimMap m_rimsOfWalls; ///< those from which the walls were made
+    WallPoints m_walls;
     std::vector<std::uint32_t> m_ends; ///< by tile: MotionIndex::endOver() of the motions of its rims
 };
 

@@ -21,7 +21,6 @@ void SurfaceAtRest::follow(const Frame& moment, std::size_t faces, const WorkCon
     }
     m_bytes = needed;
     ZMapSnapshot now = m_rims.find(moment, context.quiet());
-    now.setWalls(m_zmap ? WallPoints(now, *m_zmap, m_zmap->walls()) : WallPoints(now));
     std::vector<std::size_t> changed;
     if (m_zmap)
         changed = differingRegions(*m_zmap, now, m_surface.grid());
