@@ -22,6 +22,10 @@ namespace {
 constexpr double kBelowPlateau = kWallSlope / 4;
 constexpr double kLeastWall = kWallSlope / 2;
 
+/// Passes at several depths follow one outline within the rounding of the program: up to this part of an
+/// edge, their walls are one.
+constexpr double kPasses = 1.0 / 64;
+
 /// Cutters this near, mm, may have cut a point in single precision.
 constexpr double kNear = 1e-4;
 
@@ -111,14 +115,16 @@ std::int16_t inUnits(double part) {
     return static_cast<std::int16_t>(std::lround(std::clamp(part, -1.0, 1.0) * 32767));
 }
 
-std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Surface& surface) {
+std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Surface& surface,
+                         RimEdges wanted) {
     const EdgeCrossing crossing = surface.crossing(line);
     if (!crossing.found())
         return std::nullopt;
     const double beside = besideWall(line);
     const double place = settled(surface, line, crossing.place, beside);
     const double top = place > beside ? surface.height(line.at(place - beside)) : edge.high;
-    const double bottom = place + beside < line.length ? surface.height(line.at(place + beside)) : edge.low;
+    const double beyond = wanted == RimEdges::all ? beside : kPasses * line.length;
+    const double bottom = place + beyond < line.length ? surface.height(line.at(place + beyond)) : edge.low;
     if (!(top - bottom > kLeastWall * line.length))
         return std::nullopt;
     const double part = edge.reversed ? 1 - place / line.length : place / line.length;
@@ -252,7 +258,7 @@ RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop
             return nullptr;
         const EdgeLine line = lineBelowPlateau(edge, zmap.grid(), rect);
         sweeps.select(edge.edge, areaOf(line), surface);
-        if (const std::optional<Rim> rim = rimOn(edge, line, surface))
+        if (const std::optional<Rim> rim = rimOn(edge, line, surface, wanted))
             rims.rims.push_back(*rim);
     }
     return rims.rims.empty() ? nullptr : std::make_shared<const RimTile>(std::move(rims));

@@ -41,8 +41,9 @@ struct CutMap {
         map = zmap.snapshot();
     }
 
-    [[nodiscard]] RimTilePtr rims(std::size_t tile, const StockTop* uncut = nullptr) const {
-        return rimsOfTile(map, tile, uncut, motions);
+    [[nodiscard]] RimTilePtr rims(std::size_t tile, const StockTop* uncut = nullptr,
+                                  RimEdges wanted = RimEdges::all) const {
+        return rimsOfTile(map, tile, uncut, motions, {}, wanted);
     }
 };
 
@@ -54,11 +55,12 @@ struct Wall {
     double bottom;
 };
 
-std::vector<Wall> wallsOf(const CutMap& cut, const StockTop* uncut = nullptr) {
+std::vector<Wall> wallsOf(const CutMap& cut, const StockTop* uncut = nullptr,
+                          RimEdges wanted = RimEdges::all) {
     std::vector<Wall> walls;
     const Grid& grid = cut.map.grid();
     for (std::size_t tile = 0; tile < cut.map.tileCount(); ++tile) {
-        const RimTilePtr rims = cut.rims(tile, uncut);
+        const RimTilePtr rims = cut.rims(tile, uncut, wanted);
         if (rims == nullptr)
             continue;
         const IndexRect rect = cut.map.tileRect(tile);
@@ -98,6 +100,21 @@ TEST(TileRims, OfAnObliqueSlotAreOnItsTwoLines) {
         EXPECT_NEAR(glm::distance(wall.normal, beside > 0 ? across : -across), 0, kNormal);
         EXPECT_FLOAT_EQ(static_cast<float>(wall.top), 0);
         EXPECT_FLOAT_EQ(static_cast<float>(wall.bottom), -4);
+    }
+}
+
+/// The deeper pass of a contour is beside the upper one by the rounding of the program.
+TEST(TileRims, OfPassesAtSeveralDepthsAreOfOneWall) {
+    const Cutter mill = cutterOf("flat:d=8");
+    const CutMap cut({{0, 0, 0}, 40, 30, 12}, 0.7,
+                     {{&mill, straightMotion({-10, 10.1, -3}, {60, 10.1, -3})},
+                      {&mill, straightMotion({-10, 10.1004, -6}, {60, 10.0996, -6})}});
+    const std::vector<Wall> walls = wallsOf(cut, nullptr, RimEdges::betweenLevels);
+    EXPECT_GT(walls.size(), 100U);
+    for (const Wall& wall : walls) {
+        EXPECT_NEAR(std::abs(wall.at.y - 10.1), 4, 1e-3);
+        EXPECT_NEAR(wall.top, 0, 1e-6);
+        EXPECT_NEAR(wall.bottom, -6, 1e-6);
     }
 }
 
