@@ -78,7 +78,7 @@ std::optional<std::vector<MeshOutput>> MeshOutputs::write(ZMapSnapshot& zmap, Su
         if (!zmap.walls().empty()) {
             if (auto walled = closeWithWalls(zmap, surface.releaseTriangles(), ofWalls))
                 return SolidForExport(zmap, std::move(*walled), level);
-            zmap.setWalls({}); // none of them, and then their points are not needed
+            zmap.setWalls({}); // and then their points are not needed
             if (!makeAgain(allowance.parameters()))
                 return std::nullopt;
         }

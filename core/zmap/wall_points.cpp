@@ -167,25 +167,54 @@ const WallPoint* WallPoints::find(int i, int j) const {
     return at != walls->points.end() && at->point == point ? &*at : nullptr;
 }
 
+void WallPoints::removeIn(const IndexRect& rect) {
+    eachTileIn(rect, [&](std::size_t index, const IndexRect& within) {
+        const auto isInside = [&](const WallPoint& wall) {
+            const int i = wall.point % Tile::kSize;
+            const int j = wall.point / Tile::kSize;
+            return i >= within.i0 && i < within.i1 && j >= within.j0 && j < within.j1;
+        };
+        const std::size_t removed =
+            static_cast<std::size_t>(std::ranges::count_if(m_tiles[index]->points, isInside));
+        if (removed == 0)
+            return;
+        auto left = std::make_shared<WallTile>(*m_tiles[index]);
+        std::erase_if(left->points, isInside);
+        m_tiles.edit(index) = left->points.empty() ? nullptr : std::move(left);
+        m_count -= removed;
+    });
+}
+
 std::vector<std::uint32_t> WallPoints::offsetsIn(const IndexRect& rect) const {
     std::vector<std::uint32_t> offsets;
-    if (m_count == 0 || rect.empty())
-        return offsets;
-    for (int tj = rect.j0 / Tile::kSize; tj <= (rect.j1 - 1) / Tile::kSize; ++tj) {
-        for (int ti = rect.i0 / Tile::kSize; ti <= (rect.i1 - 1) / Tile::kSize; ++ti) {
-            const WallTile* walls = m_tiles[static_cast<std::size_t>(tj * m_tilesX + ti)].get();
-            if (walls == nullptr)
-                continue;
-            for (const WallPoint& wall : walls->points) {
-                const int i = ti * Tile::kSize + wall.point % Tile::kSize - rect.i0;
-                const int j = tj * Tile::kSize + wall.point / Tile::kSize - rect.j0;
-                if (i >= 0 && j >= 0 && i < rect.width() && j < rect.height())
-                    offsets.push_back(static_cast<std::uint32_t>(j * rect.width() + i));
-            }
+    eachTileIn(rect, [&](std::size_t index, const IndexRect& within) {
+        for (const WallPoint& wall : m_tiles[index]->points) {
+            const int i = wall.point % Tile::kSize - within.i0;
+            const int j = wall.point / Tile::kSize - within.j0;
+            if (i >= 0 && j >= 0 && i < rect.width() && j < rect.height())
+                offsets.push_back(static_cast<std::uint32_t>(j * rect.width() + i));
         }
-    }
+    });
     std::ranges::sort(offsets);
     return offsets;
+}
+
+template<class Visit>
+void WallPoints::eachTileIn(const IndexRect& rect, const Visit& visit) const {
+    if (m_count == 0 || rect.empty())
+        return;
+    const int rows = static_cast<int>(m_tiles.size()) / m_tilesX;
+    const int lastJ = std::min((rect.j1 - 1) / Tile::kSize, rows - 1);
+    const int lastI = std::min((rect.i1 - 1) / Tile::kSize, m_tilesX - 1);
+    for (int tj = std::max(rect.j0, 0) / Tile::kSize; tj <= lastJ; ++tj) {
+        for (int ti = std::max(rect.i0, 0) / Tile::kSize; ti <= lastI; ++ti) {
+            const auto index = static_cast<std::size_t>(tj * m_tilesX + ti);
+            const int i = ti * Tile::kSize;
+            const int j = tj * Tile::kSize;
+            if (m_tiles[index] != nullptr)
+                visit(index, IndexRect{rect.i0 - i, rect.j0 - j, rect.i1 - i, rect.j1 - j});
+        }
+    }
 }
 
 Vec3 vertexAt(const ZMapSnapshot& zmap, int i, int j) {

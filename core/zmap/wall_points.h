@@ -44,6 +44,9 @@ public:
     /// `points` has for them; others with the same points share them.
     WallPoints(const ZMapSnapshot& zmap, const RimMap& before, const WallPoints& points);
 
+    /// Takes those away that are in a rectangle of grid points; they are drawn at their points then.
+    void removeIn(const IndexRect& rect);
+
     [[nodiscard]] bool empty() const { return m_count == 0; }
     [[nodiscard]] std::size_t count() const { return m_count; }
     /// Null: none. Equal pointers mean equal points.
@@ -60,6 +63,10 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> offsetsIn(const IndexRect& rect) const;
 
 private:
+    /// Calls `visit(tile, rect in the tile)` for the tiles with wall points that a rectangle meets.
+    template<class Visit>
+    void eachTileIn(const IndexRect& rect, const Visit& visit) const;
+
     int m_tilesX = 0;
     std::size_t m_count = 0;
     PersistentArray<std::shared_ptr<const WallTile>> m_tiles;

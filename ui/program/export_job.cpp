@@ -86,7 +86,7 @@ Result<SolidForExport> makeSolid(ZMapSnapshot& zmap, FileAllowance& allowance, c
         } else if (auto walled = closeWithWalls(zmap, std::move(triangles), ofWalls, closing)) {
             mesh = std::move(*walled);
         } else {
-            zmap.setWalls({}); // not all can be drawn: without them their points are not needed either
+            zmap.setWalls({}); // and then their points are not needed
             continue;
         }
         SolidForExport solid(zmap, std::move(mesh), errorLevel(allowance.promised()));

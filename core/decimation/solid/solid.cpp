@@ -32,9 +32,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <ranges>
 #include <utility>
+#include <vector>
 
+#include "core/decimation/solid/corners.h"
 #include "core/decimation/solid/solid_above_floor.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/decimation/solid/solid_frame.h"
@@ -58,36 +62,109 @@ TriangleMesh closed(const SolidFrame& frame, std::vector<LatticeTriangle> surfac
                    : closeAboveFloor(frame, std::move(surface), context);
 }
 
-/// Whether every triangle keeps its side in single precision.
+/// Whether a triangle keeps its side in single precision.
+bool isSoundInFloat(const Corners& exact) {
+    Corners rounded;
+    std::ranges::transform(exact, rounded.begin(),
+                           [](const Vec3& corner) { return roundedTo(CoordinateType::float32, corner); });
+    return glm::dot(normalOf(exact), normalOf(rounded)) > 0;
+}
+
 bool isSoundInFloat(const TriangleMesh& solid) {
-    return std::ranges::all_of(solid.triangles, [&](const std::array<std::uint32_t, 3>& triangle) {
-        std::array<Vec3, 3> exact;
-        std::array<Vec3, 3> rounded;
-        for (std::size_t k = 0; k < 3; ++k) {
-            exact[k] = solid.vertices[triangle[k]];
-            rounded[k] = roundedTo(CoordinateType::float32, exact[k]);
-        }
-        const Vec3 was = glm::cross(exact[1] - exact[0], exact[2] - exact[0]);
-        const Vec3 is = glm::cross(rounded[1] - rounded[0], rounded[2] - rounded[0]);
-        return glm::dot(was, is) > 0;
+    return std::ranges::all_of(solid.triangles, [&](const auto& triangle) {
+        return isSoundInFloat(
+            Corners{solid.vertices[triangle[0]], solid.vertices[triangle[1]], solid.vertices[triangle[2]]});
     });
+}
+
+/// Whether it is turned over, so that the surface is folded, by more than this part of a cell.
+bool isFolded(const Corners& corners, double cell) {
+    constexpr double kFold = 0.01;
+    constexpr double kOverhang = 0.5; // of round walls
+    const Vec3 normal = normalOf(corners);
+    return normal.z < -kOverhang * glm::length(normal) && flatness(corners) > kFold * cell;
+}
+
+/// A vertex in single precision, and the point of the map that it is.
+using VertexOfPoint = std::pair<std::array<double, 3>, std::uint32_t>;
+
+/// Those that are at the same place.
+void addEqual(std::vector<VertexOfPoint> vertices, std::vector<std::uint32_t>& points) {
+    std::ranges::sort(vertices);
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+        if (vertices[k - 1].first == vertices[k].first && vertices[k - 1].second != vertices[k].second)
+            points.push_back(vertices[k].second);
+    }
+}
+
+/// The points around which a surface is folded or, in single precision, has turned triangles or equal
+/// vertices.
+std::vector<std::uint32_t> unsoundPoints(const SolidFrame& frame,
+                                         const std::vector<LatticeTriangle>& surface) {
+    std::vector<std::uint32_t> points;
+    std::vector<VertexOfPoint> vertices;
+    const Grid& grid = frame.zmap().grid();
+    const double cell = std::max(grid.hx, grid.hy);
+    for (const LatticeTriangle& triangle : surface) {
+        if (std::ranges::none_of(triangle, [&](auto point) { return frame.isBesideWall(point); }))
+            continue;
+        Corners corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = frame.top(triangle[k]);
+            const Vec3 at = roundedTo(CoordinateType::float32, corners[k]);
+            vertices.push_back({{at.x, at.y, at.z}, triangle[k]});
+        }
+        if (!isSoundInFloat(corners) || isFolded(corners, cell))
+            points.insert(points.end(), triangle.begin(), triangle.end());
+    }
+    addEqual(std::move(vertices), points);
+    return points;
+}
+
+/// Draws the walls around some points as they are without rims; false if there are none.
+bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& points) {
+    constexpr int kAround = 2; // cells
+    WallPoints walls = zmap.walls();
+    for (const std::uint32_t point : points) {
+        const int i = static_cast<int>(point) % zmap.grid().nx;
+        const int j = static_cast<int>(point) / zmap.grid().nx;
+        walls.removeIn({i - kAround, j - kAround, i + kAround + 1, j + kAround + 1});
+    }
+    const bool changed = walls.count() < zmap.walls().count();
+    zmap.setWalls(std::move(walls));
+    return changed;
 }
 
 } // namespace
 
-std::optional<TriangleMesh> closeWithWalls(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                            double allowance, const WorkContext& context) {
-    const SolidFrame frame(zmap);
-    flipWallCaps(frame, surface);
-    if (allowance > 0)
-        simplifyWalls(frame, allowance, surface, context);
-    TriangleMesh solid = closed(frame, std::move(surface), context);
-    const auto isNear = [&] {
-        return allowance <= 0 || measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample,
-                                                   context.quiet()) <= allowance;
-    };
-    if (context.stopped() || (isSoundInFloat(solid) && isNear()))
-        return solid;
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const SolidFrame frame(zmap);
+        const FormerTriangles flipped = flipWallCaps(frame, surface);
+        std::vector<std::uint32_t> unsound = unsoundPoints(frame, surface);
+        if (unsound.empty() || context.stopped()) {
+            std::vector<LatticeTriangle> simple;
+            if (allowance > 0) {
+                simple = surface;
+                simplifyWalls(frame, allowance, simple, context);
+            } else {
+                simple = std::move(surface); // a full mesh may not fit into memory twice
+            }
+            TriangleMesh solid = closed(frame, std::move(simple), context);
+            if (!context.stopped() && !isSoundInFloat(solid))
+                return std::nullopt;
+            if (allowance > 0 && !context.stopped())
+                unsound = pointsFarther(zmap, solid, CoordinateType::float32, allowance, context.stop);
+            if (unsound.empty() || context.stopped())
+                return solid;
+        }
+        for (const auto& [triangle, before] : flipped | std::views::reverse)
+            surface[triangle] = before;
+        if (!removeWallsAround(zmap, unsound))
+            return std::nullopt;
+    }
     return std::nullopt;
 }
 

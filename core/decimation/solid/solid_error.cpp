@@ -13,13 +13,13 @@
 #include "core/base/parallel.h"
 #include "core/decimation/regions/canonical_surface.h"
 #include "core/decimation/regions/row_bands.h"
+#include "core/decimation/solid/corners.h"
 #include "core/decimation/surface/tally.h"
 
 namespace proveout {
 
 namespace {
 
-using Corners = std::array<Vec3, 3>;
 using Weights = std::array<double, 3>;
 
 /// Stored in memory on purpose: g++ 12 at -O2 drops a pair of vectorised conversions to float and back.
@@ -196,19 +196,16 @@ private:
     Axis m_rows;
 };
 
-/// The largest distance in a band of rows. A stop is looked for in every row, because two triangles may cover
-/// the whole map.
-double errorOfBand(const SolidTop& top, const RowBands& bands, std::size_t band,
-                   const std::stop_token& stop) {
+/// Calls `visit(i, j, distance)` for the points in a band of rows: for each triangle over them, or else for
+/// their distance from the floor. A stop is looked for in every row, because two triangles may cover the
+/// whole map.
+template<class Visit>
+void eachDistance(const SolidTop& top, const RowBands& bands, std::size_t band, const std::stop_token& stop,
+                  const Visit& visit) {
     const RowBands::Rows rows = bands.rows(band);
     const std::size_t first = rows.first; // Clang 14 captures no structured bindings
     const std::size_t last = rows.last;
     std::vector<bool> covered((last + 1 - first) * top.columns());
-    double largest = 0;
-    const auto note = [&](std::size_t i, std::size_t j, double distance) {
-        if (distance > largest && !top.isBesideWall(i, j))
-            largest = distance;
-    };
     for (const std::uint32_t triangle : bands.trianglesOf(band)) {
         const Corners at = *top.cornersOf(triangle);
         const auto reached = top.rowsOf(triangle);
@@ -219,14 +216,13 @@ double errorOfBand(const SolidTop& top, const RowBands& bands, std::size_t band,
                 if (!distance)
                     return;
                 covered[(j - first) * top.columns() + i] = true;
-                note(i, j, *distance);
+                visit(i, j, *distance);
             });
     }
     for (std::size_t j = first; j <= last && !stop.stop_requested(); ++j)
         for (std::size_t i = 0; i < top.columns(); ++i)
             if (!covered[(j - first) * top.columns() + i])
-                note(i, j, top.aboveFloor(i, j));
-    return largest;
+                visit(i, j, top.aboveFloor(i, j));
 }
 
 } // namespace
@@ -248,12 +244,33 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
     const RowBands bands(top.rows(), triangles, [&](std::size_t t) { return top.rowsOf(t); });
     Tally tally(context, bands.count());
     const double atPoints = largestInParallel(bands.count(), 1, [&](std::size_t band) {
-        const double error = errorOfBand(top, bands, band, context.stop);
+        double error = 0;
+        eachDistance(top, bands, band, context.stop, [&](std::size_t i, std::size_t j, double distance) {
+            if (distance > error && !top.isBesideWall(i, j))
+                error = distance;
+        });
         if (!context.stopped())
             tally.finished();
         return error;
     });
     return std::max(largest, atPoints);
+}
+
+std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const TriangleMesh& solid,
+                                         CoordinateType type, double distance, const std::stop_token& stop) {
+    const SolidTop top(zmap, solid, type);
+    const RowBands bands(top.rows(), solid.triangles.size(), [&](std::size_t t) { return top.rowsOf(t); });
+    std::vector<std::vector<std::uint32_t>> ofBands(bands.count());
+    inParallel(bands.count(), [&](std::size_t band) {
+        eachDistance(top, bands, band, stop, [&](std::size_t i, std::size_t j, double isAway) {
+            if (isAway > distance && !top.isBesideWall(i, j))
+                ofBands[band].push_back(static_cast<std::uint32_t>(j * top.columns() + i));
+        });
+    });
+    std::vector<std::uint32_t> points;
+    for (const std::vector<std::uint32_t>& band : ofBands)
+        points.insert(points.end(), band.begin(), band.end());
+    return points;
 }
 
 } // namespace proveout

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
 #include "core/base/work_context.h"
 #include "core/decimation/regions/parameters.h"
 #include "core/decimation/solid/solid.h"
@@ -21,5 +25,11 @@ namespace proveout {
 [[nodiscard]] double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid,
                                        CoordinateType type, ErrorLevel level,
                                        const WorkContext& context = {});
+
+/// Those points of the map that are farther from the top of a solid, measured in this way at the points, by
+/// their places row by row; some of them several times.
+[[nodiscard]] std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const TriangleMesh& solid,
+                                                       CoordinateType type, double distance,
+                                                       const std::stop_token& stop = {});
 
 } // namespace proveout

@@ -3,19 +3,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+
+#include "core/decimation/solid/corners.h"
 
 namespace proveout {
 
 namespace {
 
-/// Triangles that are flatter than this, as a fraction of a cell, have no area; up to the other they may be
-/// turned over.
+/// Triangles that are flatter than this, as a fraction of a cell, have no area.
 constexpr double kNoArea = 1e-4;
-constexpr double kTurned = 0.2;
-/// A flip may leave another cap beside it; long chains of them were not seen.
+/// The vertical part of the normal of a triangle that is turned over; walls that are round overhang less.
+constexpr double kTurnedOver = -0.5;
+/// Three points of one edge of a wall are flatter than this, as a fraction of a cell.
+constexpr double kCap = 0.2;
+/// How far from the plane of the triangle beyond a side a point may be that is given to it, as a fraction of
+/// a cell.
+constexpr double kBesidePlane = 0.2;
+/// A flip may leave another triangle to flip beside it; long chains of them were not seen.
 constexpr int kMostRounds = 8;
 
 class WallCaps {
@@ -23,27 +31,37 @@ public:
     WallCaps(const SolidFrame& frame, std::vector<LatticeTriangle>& surface)
         : m_frame(frame), m_surface(surface),
           m_cell(std::max(frame.zmap().grid().hx, frame.zmap().grid().hy)) {
+        std::vector<bool> isNear(frame.points());
         for (std::size_t t = 0; t < surface.size(); ++t) {
-            const auto walls =
-                std::ranges::count_if(surface[t], [&](auto vertex) { return frame.isBesideWall(vertex); });
-            if (walls < 2)
+            if (std::ranges::none_of(surface[t], [&](auto point) { return frame.isBesideWall(point); }))
                 continue;
-            link(t);
-            if (walls == 3)
-                m_onWalls.push_back(t);
+            m_besideWalls.push_back(t);
+            for (const std::uint32_t point : surface[t])
+                isNear[point] = true;
+        }
+        for (std::size_t t = 0; t < surface.size(); ++t) {
+            if (std::ranges::count_if(surface[t], [&](auto point) { return isNear[point]; }) >= 2)
+                link(t);
         }
     }
 
-    void flipAll() {
+    [[nodiscard]] FormerTriangles flipAll() {
         bool flipped = true;
         for (int round = 0; flipped && round < kMostRounds; ++round) {
             flipped = false;
-            for (const std::size_t t : m_onWalls)
-                flipped = flipIfCap(t) || flipped;
+            for (const std::size_t t : m_besideWalls)
+                flipped = flipIfNeeded(t) || flipped;
         }
+        return std::move(m_former);
     }
 
 private:
+    /// A side of a triangle, with what is beyond it: the points of both triangles are a, b, c and c, a, d.
+    struct Side {
+        std::uint32_t a, b, c, d;
+        std::size_t beyond;
+    };
+
     [[nodiscard]] static std::uint64_t key(std::uint32_t from, std::uint32_t to) {
         return std::uint64_t{from} << 32U | to;
     }
@@ -52,60 +70,94 @@ private:
             m_triangleAt[key(m_surface[t][k], m_surface[t][(k + 1) % 3])] = t;
     }
 
-    /// The side opposite the middle point of a triangle that is a cap, by its first corner.
-    [[nodiscard]] std::optional<std::size_t> longSideOfCap(std::size_t t) const {
-        const std::array corners{m_frame.top(m_surface[t][0]), m_frame.top(m_surface[t][1]),
-                                 m_frame.top(m_surface[t][2])};
-        const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        std::size_t longest = 0;
-        double length = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double side = glm::length(corners[(k + 1) % 3] - corners[k]);
-            if (side > length) {
-                length = side;
-                longest = k;
-            }
-        }
-        const double flatness = length > 0 ? glm::length(normal) / length : 0;
-        const bool turned = normal.z < -0.5 * glm::length(normal) && flatness < kTurned * m_cell;
-        return flatness < kNoArea * m_cell || turned ? std::optional(longest) : std::nullopt;
+    [[nodiscard]] Corners at(const LatticeTriangle& triangle) const {
+        return {m_frame.top(triangle[0]), m_frame.top(triangle[1]), m_frame.top(triangle[2])};
+    }
+    [[nodiscard]] static bool isTurnedOver(const Corners& corners) {
+        const Vec3 normal = normalOf(corners);
+        return normal.z < kTurnedOver * glm::length(normal);
+    }
+    [[nodiscard]] bool isGood(const Corners& corners) const {
+        return flatness(corners) > kNoArea * m_cell && !isTurnedOver(corners);
     }
 
-    bool flipIfCap(std::size_t t) {
-        const auto side = longSideOfCap(t);
-        if (!side)
-            return false;
-        const std::uint32_t a = m_surface[t][*side];
-        const std::uint32_t c = m_surface[t][(*side + 1) % 3];
-        const std::uint32_t b = m_surface[t][(*side + 2) % 3];
+    /// Nothing at the border of the map, or if the flip would make an edge that exists elsewhere.
+    [[nodiscard]] std::optional<Side> side(std::size_t t, std::size_t k) const {
+        const std::uint32_t a = m_surface[t][k];
+        const std::uint32_t c = m_surface[t][(k + 1) % 3];
+        const std::uint32_t b = m_surface[t][(k + 2) % 3];
         const auto beyond = m_triangleAt.find(key(c, a));
         if (beyond == m_triangleAt.end())
-            return false; // the border of the map
-        const std::size_t other = beyond->second;
+            return std::nullopt;
         const auto isThird = [&](std::uint32_t vertex) { return vertex != a && vertex != c; };
-        const std::uint32_t d = *std::ranges::find_if(m_surface[other], isThird);
+        const std::uint32_t d = *std::ranges::find_if(m_surface[beyond->second], isThird);
         if (m_triangleAt.contains(key(b, d)) || m_triangleAt.contains(key(d, b)))
-            return false; // that edge exists elsewhere
+            return std::nullopt;
+        return Side{a, b, c, d, beyond->second};
+    }
+
+    /// How far the middle point is from the plane of the triangle beyond a side.
+    [[nodiscard]] double besidePlane(const Side& side) const {
+        const Corners beyond = at({side.c, side.a, side.d});
+        const Vec3 normal = normalOf(beyond);
+        const double size = glm::length(normal);
+        return size > 0 ? std::abs(glm::dot(normal, m_frame.top(side.b) - beyond[0])) / size : 0;
+    }
+
+    bool flipIfNeeded(std::size_t t) {
+        const Corners corners = at(m_surface[t]);
+        if (isGood(corners))
+            return false;
+        const bool isCap =
+            std::ranges::all_of(m_surface[t], [&](auto point) { return m_frame.isBesideWall(point); });
+        const std::optional<Side> way =
+            isCap && flatness(corners) < kCap * m_cell ? side(t, longestSide(corners)) : sideInPlane(t);
+        if (way)
+            flip(t, *way);
+        return way.has_value();
+    }
+
+    /// The flip that leaves two good triangles and the surface nearest to what it was.
+    [[nodiscard]] std::optional<Side> sideInPlane(std::size_t t) const {
+        std::optional<Side> best;
+        double least = kBesidePlane * m_cell;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::optional<Side> way = side(t, k);
+            if (!way || !isGood(at({way->a, way->d, way->b})) || !isGood(at({way->d, way->c, way->b})))
+                continue;
+            const double beside = besidePlane(*way);
+            if (beside < least) {
+                least = beside;
+                best = way;
+            }
+        }
+        return best;
+    }
+
+    void flip(std::size_t t, const Side& side) {
+        const auto& [a, b, c, d, beyond] = side;
         m_triangleAt.erase(key(a, c));
         m_triangleAt.erase(key(c, a));
+        m_former.emplace_back(t, m_surface[t]);
+        m_former.emplace_back(beyond, m_surface[beyond]);
         m_surface[t] = {a, d, b};
-        m_surface[other] = {d, c, b};
+        m_surface[beyond] = {d, c, b};
         link(t);
-        link(other);
-        return true;
+        link(beyond);
     }
 
     const SolidFrame& m_frame;
     std::vector<LatticeTriangle>& m_surface;
     double m_cell;
     std::unordered_map<std::uint64_t, std::size_t> m_triangleAt; ///< by the edge that leads around it
-    std::vector<std::size_t> m_onWalls;                          ///< triangles with three points on walls
+    std::vector<std::size_t> m_besideWalls;
+    FormerTriangles m_former;
 };
 
 } // namespace
 
-void flipWallCaps(const SolidFrame& frame, std::vector<LatticeTriangle>& surface) {
-    WallCaps(frame, surface).flipAll();
+FormerTriangles flipWallCaps(const SolidFrame& frame, std::vector<LatticeTriangle>& surface) {
+    return WallCaps(frame, surface).flipAll();
 }
 
 } // namespace proveout

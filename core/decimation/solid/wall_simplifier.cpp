@@ -12,6 +12,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/decimation/solid/corners.h"
 #include "core/decimation/solid/point_distance.h"
 
 namespace proveout {
@@ -32,12 +33,6 @@ constexpr std::size_t kMostAround = 128;
 // Their places in the lists of those beside walls.
 using Triangle = std::uint32_t;
 using Vertex = std::uint32_t;
-
-using Corners = std::array<Vec3, 3>;
-
-Vec3 normalOf(const Corners& corners) {
-    return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-}
 
 class WallSimplifier {
 public:
@@ -192,12 +187,7 @@ private:
     }
 
     /// Whether it is so flat that its normal says nothing.
-    [[nodiscard]] bool isFlat(const Corners& corners) const {
-        double longest = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
-        return !(glm::length(normalOf(corners)) > kFlat * m_cell * longest);
-    }
+    [[nodiscard]] bool isFlat(const Corners& corners) const { return !(flatness(corners) > kFlat * m_cell); }
 
     [[nodiscard]] bool mayBecome(const Corners& before, const Corners& now, const Vec3& removed) const {
         const Vec3 was = normalOf(before);

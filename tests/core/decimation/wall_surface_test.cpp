@@ -76,10 +76,11 @@ TEST(WallSurface, DecimatedSolidsHaveWallsOnTheirOutlineAndTheirVolume) {
             const IndexRect all{0, 0, map.grid().nx, map.grid().ny};
             for (const std::uint32_t wall : map.moment().walls().offsetsIn(all))
                 EXPECT_TRUE(vertices.contains(wall)) << wall % nx << " " << wall / nx;
-            const TriangleMesh full = *closeWithWalls(map.moment(), surface.triangles(), 0);
+            ZMapSnapshot moment = map.moment();
+            const TriangleMesh full = *closeWithWalls(moment, surface.triangles(), 0);
             expectWalls(map, region, full, 0);
-            const TriangleMesh simple =
-                *closeWithWalls(map.moment(), surface.triangles(), parameters.allowance);
+            const TriangleMesh simple = *closeWithWalls(moment, surface.triangles(), parameters.allowance);
+            EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
             expectWalls(map, region, simple, kWallShare * parameters.allowance);
             EXPECT_LE(measureSolidError(map.moment(), simple, CoordinateType::float32, ErrorLevel::sample),
                       parameters.allowance);
@@ -88,6 +89,38 @@ TEST(WallSurface, DecimatedSolidsHaveWallsOnTheirOutlineAndTheirVolume) {
             }
         }
     }
+}
+
+/// Ribs and grooves thinner than cells, which the grid shows as noise, and a pocket far from them.
+TEST(WallSurface, WallsThatTheGridDoesNotResolveLeaveOthersWhereTheyStand) {
+    const Vec2 middle(13.3, 27.1);
+    const auto distance = [&](const Vec2& at) {
+        const double pocket = glm::length(at - middle) - 8;
+        const double across = 0.98 * at.x + 0.199 * at.y - 27.7;
+        const double groove = std::abs(across - 0.8 * std::round(across / 0.8)) - 0.17;
+        const double grooves = std::max({groove, 24 - at.x, at.x - 37.5, 3 - at.y, at.y - 33});
+        return std::min(pocket, grooves);
+    };
+    const WalledMap map({"pocket beside grooves", distance, 0, 0, 0, true}, 0.5);
+    DecimationParameters parameters;
+    parameters.allowance = 0.02;
+    SurfaceSnapshot surface = decimatedWhole(map.moment(), parameters);
+    ZMapSnapshot moment = map.moment();
+    const auto solid = closeWithWalls(moment, surface.triangles(), parameters.allowance);
+    ASSERT_TRUE(solid.has_value());
+    EXPECT_EQ(whatIsWrong(*solid), "");
+    EXPECT_LT(moment.walls().count(), map.moment().walls().count());
+    EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::sample),
+              parameters.allowance);
+    std::size_t ofPocket = 0;
+    forEachSteep(*solid, [&](const std::array<Vec3, 3>& corners) {
+        if (corners[0].x > 23 || map.isAtBorder(corners[0]))
+            return;
+        ++ofPocket;
+        for (const Vec3& corner : corners)
+            EXPECT_NEAR(glm::length(Vec2(corner) - middle), 8, 3e-3);
+    });
+    EXPECT_GT(ofPocket, 60U);
 }
 
 } // namespace
