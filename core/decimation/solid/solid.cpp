@@ -143,16 +143,14 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
     for (int round = 0; round < kMostRounds; ++round) {
         const SolidFrame frame(zmap);
         const FormerTriangles flipped = flipWallCaps(frame, surface);
-        std::vector<std::uint32_t> unsound = unsoundPoints(frame, surface);
+        std::vector<LatticeTriangle> simple;
+        if (allowance > 0) { // a full mesh may not fit into memory twice
+            simple = surface;
+            simplifyWalls(frame, allowance, simple, context);
+        }
+        std::vector<std::uint32_t> unsound = unsoundPoints(frame, allowance > 0 ? simple : surface);
         if (unsound.empty() || context.stopped()) {
-            std::vector<LatticeTriangle> simple;
-            if (allowance > 0) {
-                simple = surface;
-                simplifyWalls(frame, allowance, simple, context);
-            } else {
-                simple = std::move(surface); // a full mesh may not fit into memory twice
-            }
-            TriangleMesh solid = closed(frame, std::move(simple), context);
+            TriangleMesh solid = closed(frame, std::move(allowance > 0 ? simple : surface), context);
             if (!context.stopped() && !isSoundInFloat(solid))
                 return std::nullopt;
             if (allowance > 0 && !context.stopped())

@@ -18,13 +18,17 @@ namespace {
 constexpr double kNoArea = 1e-4;
 /// The vertical part of the normal of a triangle that is turned over; walls that are round overhang less.
 constexpr double kTurnedOver = -0.5;
+/// The vertical part of the normals of what is level.
+constexpr double kLevel = 0.99;
+/// Walls are thinner in plan, as a fraction of a cell.
+constexpr double kWall = 0.1;
 /// Three points of one edge of a wall are flatter than this, as a fraction of a cell.
 constexpr double kCap = 0.2;
 /// How far from the plane of the triangle beyond a side a point may be that is given to it, as a fraction of
 /// a cell.
 constexpr double kBesidePlane = 0.2;
-/// A flip may leave another triangle to flip beside it; long chains of them were not seen.
-constexpr int kMostRounds = 8;
+/// A flip may leave another triangle to flip beside it, as along a straight wall that many points are on.
+constexpr int kMostRounds = 64;
 
 class WallCaps {
 public:
@@ -40,7 +44,7 @@ public:
                 isNear[point] = true;
         }
         for (std::size_t t = 0; t < surface.size(); ++t) {
-            if (std::ranges::count_if(surface[t], [&](auto point) { return isNear[point]; }) >= 2)
+            if (std::ranges::any_of(surface[t], [&](auto point) { return isNear[point]; }))
                 link(t);
         }
     }
@@ -106,15 +110,60 @@ private:
 
     bool flipIfNeeded(std::size_t t) {
         const Corners corners = at(m_surface[t]);
+        std::optional<Side> way;
         if (isGood(corners))
-            return false;
-        const bool isCap =
-            std::ranges::all_of(m_surface[t], [&](auto point) { return m_frame.isBesideWall(point); });
-        const std::optional<Side> way =
-            isCap && flatness(corners) < kCap * m_cell ? side(t, longestSide(corners)) : sideInPlane(t);
+            way = isOnWalls(m_surface[t]) && !isWallOrLevel(corners) ? sideOfWall(t) : std::nullopt;
+        else if (isOnWalls(m_surface[t]) && flatness(corners) < kCap * m_cell)
+            way = longSide(t, corners);
+        else
+            way = sideInPlane(t);
         if (way)
             flip(t, *way);
         return way.has_value();
+    }
+
+    [[nodiscard]] bool isOnWalls(const LatticeTriangle& triangle) const {
+        return std::ranges::all_of(triangle, [&](auto point) { return m_frame.isBesideWall(point); });
+    }
+    [[nodiscard]] bool isWallOrLevel(const Corners& corners) const {
+        const Vec3 normal = normalOf(corners);
+        if (std::abs(normal.z) > kLevel * glm::length(normal))
+            return true;
+        Corners plan = corners;
+        for (Vec3& corner : plan)
+            corner.z = 0;
+        return flatness(plan) < kWall * m_cell;
+    }
+
+    /// Where two walls meet in a cell, the diagonal of the mesh may lead through the corner from the top of
+    /// one wall to the bottom of the other.
+    [[nodiscard]] std::optional<Side> sideOfWall(std::size_t t) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::optional<Side> way = side(t, k);
+            if (!way)
+                continue;
+            const auto isRight = [&](const LatticeTriangle& triangle) {
+                const Corners corners = at(triangle);
+                return isGood(corners) && isWallOrLevel(corners);
+            };
+            if (isRight({way->a, way->d, way->b}) && isRight({way->d, way->c, way->b}))
+                return way;
+        }
+        return std::nullopt;
+    }
+
+    /// That of a cap, if one cap less is left then, or two with shorter sides.
+    [[nodiscard]] std::optional<Side> longSide(std::size_t t, const Corners& corners) const {
+        const std::optional<Side> way = side(t, longestSide(corners));
+        if (!way)
+            return std::nullopt;
+        const LatticeTriangle& beyond = m_surface[way->beyond];
+        const Corners ofBeyond = at(beyond);
+        if (isGood(ofBeyond))
+            return way;
+        const std::uint32_t from = beyond[longestSide(ofBeyond)];
+        const std::uint32_t to = beyond[(longestSide(ofBeyond) + 1) % 3];
+        return from == way->c && to == way->a ? way : std::nullopt; // else it is flipped first
     }
 
     /// The flip that leaves two good triangles and the surface nearest to what it was.

@@ -93,7 +93,8 @@ private:
             m_at.push_back(m_frame.top(point));
             m_stars.emplace_back();
             m_isWall.push_back(isWall);
-            m_isRemovable.push_back(isWall && !m_frame.onOutline(point));
+            m_isOutline.push_back(m_frame.onOutline(point));
+            m_isRemovable.push_back(isWall && !m_isOutline.back());
             m_isQueued.push_back(true);
         }
         return known->second;
@@ -142,6 +143,14 @@ private:
             apply(vertex, best, points, ring);
     }
 
+    /// Whether a removal would join two points of the outline, as a triangle of a side of the solid may.
+    [[nodiscard]] bool joinsOutline(std::uint32_t to, const std::vector<std::uint32_t>& ring,
+                                    const std::vector<std::uint32_t>& around) const {
+        return m_isOutline[to] && std::ranges::any_of(ring, [&](std::uint32_t vertex) {
+                   return vertex != to && m_isOutline[vertex] && !std::ranges::binary_search(around, vertex);
+               });
+    }
+
     /// With an infinite error where it is not possible.
     [[nodiscard]] Change changeTo(std::uint32_t vertex, std::uint32_t to,
                                   const std::vector<std::uint32_t>& ring,
@@ -152,6 +161,8 @@ private:
         std::ranges::set_intersection(ring, other, std::back_inserter(common));
         if (common.size() != 2)
             return change; // else an edge would have more than two triangles
+        if (joinsOutline(to, ring, other))
+            return change;
         for (const Triangle triangle : m_stars[vertex]) {
             LatticeTriangle now = corners(triangle);
             if (has(now, to))
@@ -287,6 +298,7 @@ private:
     std::vector<Vec3> m_at;
     std::vector<std::vector<Triangle>> m_stars;
     std::vector<bool> m_isWall;
+    std::vector<bool> m_isOutline;
     std::vector<bool> m_isRemovable;
     std::vector<bool> m_isQueued;
     std::deque<Vertex> m_queue;

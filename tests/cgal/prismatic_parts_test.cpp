@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of prismatic parts, as flat cutters leave them, against their exact shape: in one direction by closed
+// formulas, in the other by CGAL.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/tile_rims.h"
+#include "core/decimation/solid/solid.h"
+#include "core/decimation/surface/refined_surface.h"
+#include "tests/cgal/distance_oracle.h"
+#include "tests/cgal/solid_oracle.h"
+#include "tests/core/cutting/random_motion.h"
+#include "tests/core/decimation/closed_mesh.h"
+
+namespace proveout::test {
+namespace {
+
+constexpr double kDepth = 4;
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kSpacing = 0.1;
+constexpr double kNear = 0.01;   ///< mm, faces and vertices
+constexpr double kCorner = 0.02; ///< mm, where two walls meet sharply
+const StockBox kStock{{0, 0, 0}, 30.03, 26.07, 8};
+const Vec2 kMiddle(15.137, 12.911);
+
+Vec2 towards(double degrees) {
+    return {std::cos(degrees * kTurn / 360), std::sin(degrees * kTurn / 360)};
+}
+
+/// A level cut by a flat cutter: along a segment, or around a circle.
+struct Cut {
+    double radius; ///< of the cutter
+    Vec2 from;     ///< or the centre of the circle
+    Vec2 to;
+    double around = 0; ///< the radius of the circle; 0: a segment
+    double angle = 0;  ///< where it begins, and how far it leads
+    double sweep = kTurn;
+
+    [[nodiscard]] bool isCircle() const { return around > 0; }
+
+    /// Of a place from the area that is cut; negative inside.
+    [[nodiscard]] double distance(const Vec2& place) const {
+        if (!isCircle()) {
+            const Vec2 way = to - from;
+            const double length2 = glm::dot(way, way);
+            const double part = length2 > 0 ? std::clamp(glm::dot(place - from, way) / length2, 0.0, 1.0) : 0;
+            return glm::distance(place, from + part * way) - radius;
+        }
+        const Vec2 out = place - from;
+        double turn = std::atan2(out.y, out.x) - angle;
+        turn -= kTurn * std::floor(turn / kTurn);
+        const double ofPath = turn <= sweep
+                                  ? std::abs(glm::length(out) - around)
+                                  : std::min(glm::distance(place, end(0)), glm::distance(place, end(1)));
+        return ofPath - radius;
+    }
+
+    [[nodiscard]] Motion motion() const {
+        if (isCircle())
+            return arcMotion(Plane::xy, Vec3(from, -kDepth), around, angle, sweep, 0, around);
+        if (from == to) // a plunge
+            return straightMotion(Vec3(from, 5), Vec3(to, -kDepth));
+        return straightMotion(Vec3(from, -kDepth), Vec3(to, -kDepth));
+    }
+
+    /// Places all along the outline of the area.
+    void addOutline(std::vector<Vec2>& outline) const {
+        constexpr double kStep = 0.03; // mm
+        const auto addArc = [&](const Vec2& centre, double r, double start, double turn) {
+            const int steps = static_cast<int>(std::ceil(std::abs(turn) * r / kStep));
+            for (int k = 0; k <= steps; ++k) {
+                const double at = start + turn * k / steps;
+                outline.push_back(centre + r * Vec2(std::cos(at), std::sin(at)));
+            }
+        };
+        if (isCircle()) {
+            for (const double r : {around - radius, around + radius}) {
+                if (r > 0)
+                    addArc(from, r, angle, sweep);
+            }
+            addArc(end(0), radius, 0, kTurn);
+            addArc(end(1), radius, 0, kTurn);
+            return;
+        }
+        addArc(from, radius, 0, kTurn);
+        addArc(to, radius, 0, kTurn);
+        const double length = glm::distance(from, to);
+        const Vec2 along = length > 0 ? (to - from) / length : Vec2(1, 0);
+        const Vec2 across = radius * Vec2(-along.y, along.x);
+        for (double at = 0; at < length; at += kStep) {
+            outline.push_back(from + at * along + across);
+            outline.push_back(from + at * along - across);
+        }
+    }
+
+private:
+    [[nodiscard]] Vec2 end(int which) const {
+        const double at = angle + which * sweep;
+        return from + around * Vec2(std::cos(at), std::sin(at));
+    }
+};
+
+struct Part {
+    std::string name;
+    std::vector<Cut> cuts;
+    double allowed = kNear;
+
+    [[nodiscard]] double distance(const Vec2& place) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Cut& cut : cuts)
+            least = std::min(least, cut.distance(place));
+        return least;
+    }
+    /// Of a point from the surface of the exact part; the outside of the stock is not looked at. Where two
+    /// cuts meet, it may be too small: CGAL looks at these places from the other side.
+    [[nodiscard]] double distance(const Vec3& point) const {
+        const double d = distance(Vec2(point));
+        const double top = d >= 0 ? std::abs(point.z) : std::hypot(d, point.z);
+        const double floor = d <= 0 ? std::abs(point.z + kDepth) : std::hypot(d, point.z + kDepth);
+        const double beyond = std::max({point.z, -kDepth - point.z, 0.0});
+        return std::min({top, floor, std::hypot(d, beyond)});
+    }
+};
+
+Cut slot(double radius, double degrees, double half) {
+    return {radius, kMiddle - half * towards(degrees), kMiddle + half * towards(degrees)};
+}
+
+Cut circle(double radius, double around, double degrees = 0, double sweep = 360) {
+    return {radius, kMiddle, kMiddle, around, degrees * kTurn / 360, sweep * kTurn / 360};
+}
+
+Part rectangle(const std::string& name, double degrees) {
+    constexpr double kHalfLength = 6.3;
+    constexpr double kHalfWidth = 4.1;
+    const Vec2 along = towards(degrees);
+    const Vec2 across(-along.y, along.x);
+    const auto at = [&](double x, double y) { return kMiddle + x * along + y * across; };
+    Part part{name, {}};
+    for (const double y : {-kHalfWidth, 0.0, kHalfWidth})
+        part.cuts.push_back({3, at(-kHalfLength, y), at(kHalfLength, y)});
+    for (const double x : {-kHalfLength, kHalfLength})
+        part.cuts.push_back({3, at(x, -kHalfWidth), at(x, kHalfWidth)});
+    return part;
+}
+
+std::vector<Part> parts() {
+    return {
+        {"slot at 17 degrees", {slot(3, 17, 60)}},
+        {"slot at 45 degrees", {slot(3, 45, 60)}},
+        {"short slot at 73 degrees", {slot(3, 73, 5.5)}},
+        {"hole of 6", {slot(3, 0, 0)}},
+        {"hole of 7.3", {slot(3.65, 0, 0)}},
+        {"pocket of 20", {circle(3, 7), circle(3, 2.5)}},
+        {"boss of 10", {circle(3, 8)}},
+        {"groove around 200 degrees", {circle(1.5, 8, 31, 200)}},
+        rectangle("rectangle along the axes", 0),
+        rectangle("rectangle at 30 degrees", 30),
+        {"crossing slots", {slot(2.5, 20, 60), slot(2.5, 107, 60)}, kCorner},
+        {"keyhole", {slot(5, 0, 0), {2, kMiddle, kMiddle + 9.0 * towards(62)}}, kCorner},
+    };
+}
+
+/// The map of a part with its walls.
+ZMapSnapshot cutOut(const Part& part) {
+    std::vector<Cutter> mills;
+    mills.reserve(part.cuts.size());
+    std::vector<CutterMotion> motions;
+    for (const Cut& cut : part.cuts) {
+        mills.push_back(cutterOf("flat:d=" + std::to_string(2 * cut.radius)));
+        motions.push_back({&mills.back(), cut.motion()});
+    }
+    ZMap zmap(kStock, makeGrid(kStock, kSpacing).value());
+    EXPECT_TRUE(cutHeights(zmap, motions, {}));
+    ZMapSnapshot moment = zmap.snapshot();
+    RimMap rims;
+    for (std::size_t tile = 0; tile < moment.tileCount(); ++tile)
+        rims.push_back(rimsOfTile(moment, tile, nullptr, motions, {}, RimEdges::betweenLevels));
+    moment.setRims(std::move(rims));
+    moment.setWalls(WallPoints(moment));
+    return moment;
+}
+
+/// Whether it is so far inside of the stock that points beside walls may move.
+bool isInside(const Vec2& place) {
+    const Vec2 in = glm::min(place - Vec2(kStock.corner),
+                             Vec2(kStock.width, kStock.depth) - (place - Vec2(kStock.corner)));
+    return std::min(in.x, in.y) > 2 * kSpacing;
+}
+
+/// The largest distance of vertices, middles of edges and centres of faces from the part.
+double farthestOfFaces(const Part& part, const TriangleMesh& solid) {
+    double farthest = 0;
+    for (const auto& triangle : solid.triangles) {
+        const Vec3& a = solid.vertices[triangle[0]];
+        const Vec3& b = solid.vertices[triangle[1]];
+        const Vec3& c = solid.vertices[triangle[2]];
+        for (const Vec3& point : {a, b, c, (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0, (a + b + c) / 3.0}) {
+            if (isInside(Vec2(point)) && point.z > -kStock.height)
+                farthest = std::max(farthest, part.distance(point));
+        }
+    }
+    return farthest;
+}
+
+std::vector<Vec3> pointsOfWalls(const Part& part) {
+    std::vector<Vec2> outline;
+    for (const Cut& cut : part.cuts)
+        cut.addOutline(outline);
+    std::vector<Vec3> points;
+    for (const Vec2& place : outline) {
+        constexpr double kRounding = 1e-9;
+        if (part.distance(place) < -kRounding || !isInside(place))
+            continue; // another cut has taken it away
+        for (const double z : {0.0, -0.37 * kDepth, -kDepth})
+            points.emplace_back(place, z);
+    }
+    return points;
+}
+
+TEST(PrismaticParts, AreInFilesAsTheyWereCut) {
+    for (const Part& part : parts()) {
+        SCOPED_TRACE(part.name);
+        ZMapSnapshot moment = cutOut(part);
+        DecimationParameters parameters;
+        parameters.allowance = 0.01;
+        SurfaceSnapshot surface = decimatedWhole(moment, parameters);
+        const std::size_t walls = moment.walls().count();
+        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance);
+        ASSERT_TRUE(solid.has_value());
+        EXPECT_EQ(moment.walls().count(), walls);
+        EXPECT_EQ(whatIsWrong(*solid), "");
+        EXPECT_EQ(whatCgalFindsWrong(*solid, Intersections::look), "");
+        EXPECT_LE(farthestOfFaces(part, *solid), part.allowed);
+        EXPECT_LE(farthestFrom(*solid, pointsOfWalls(part)), part.allowed);
+    }
+}
+
+} // namespace
+} // namespace proveout::test
