@@ -77,12 +77,36 @@ bool isSoundInFloat(const TriangleMesh& solid) {
     });
 }
 
-/// Whether it is turned over, so that the surface is folded, by more than this part of a cell.
-bool isFolded(const Corners& corners, double cell) {
-    constexpr double kFold = 0.01;
+/// Whether it is turned over, so that the surface is folded, by more than a length.
+bool isFolded(const Corners& corners, double length) {
     constexpr double kOverhang = 0.5; // of round walls
     const Vec3 normal = normalOf(corners);
-    return normal.z < -kOverhang * glm::length(normal) && flatness(corners) > kFold * cell;
+    return normal.z < -kOverhang * glm::length(normal) && flatness(corners) > length;
+}
+
+bool isBesideWall(const SolidFrame& frame, const LatticeTriangle& triangle) {
+    return std::ranges::any_of(triangle, [&](auto point) { return frame.isBesideWall(point); });
+}
+
+Corners cornersOf(const SolidFrame& frame, const LatticeTriangle& triangle) {
+    return {frame.top(triangle[0]), frame.top(triangle[1]), frame.top(triangle[2])};
+}
+
+double cellOf(const SolidFrame& frame) {
+    const Grid& grid = frame.zmap().grid();
+    return std::max(grid.hx, grid.hy);
+}
+
+/// The points of folds that will be there however walls are simplified.
+std::vector<std::uint32_t> pointsOfFolds(const SolidFrame& frame,
+                                         const std::vector<LatticeTriangle>& surface) {
+    constexpr double kFold = 0.1; // of a cell
+    std::vector<std::uint32_t> points;
+    for (const LatticeTriangle& triangle : surface) {
+        if (isBesideWall(frame, triangle) && isFolded(cornersOf(frame, triangle), kFold * cellOf(frame)))
+            points.insert(points.end(), triangle.begin(), triangle.end());
+    }
+    return points;
 }
 
 /// A vertex in single precision, and the point of the map that it is.
@@ -103,18 +127,16 @@ std::vector<std::uint32_t> unsoundPoints(const SolidFrame& frame,
                                          const std::vector<LatticeTriangle>& surface) {
     std::vector<std::uint32_t> points;
     std::vector<VertexOfPoint> vertices;
-    const Grid& grid = frame.zmap().grid();
-    const double cell = std::max(grid.hx, grid.hy);
+    constexpr double kFold = 0.01; // of a cell
     for (const LatticeTriangle& triangle : surface) {
-        if (std::ranges::none_of(triangle, [&](auto point) { return frame.isBesideWall(point); }))
+        if (!isBesideWall(frame, triangle))
             continue;
-        Corners corners;
+        const Corners corners = cornersOf(frame, triangle);
         for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] = frame.top(triangle[k]);
             const Vec3 at = roundedTo(CoordinateType::float32, corners[k]);
             vertices.push_back({{at.x, at.y, at.z}, triangle[k]});
         }
-        if (!isSoundInFloat(corners) || isFolded(corners, cell))
+        if (!isSoundInFloat(corners) || isFolded(corners, kFold * cellOf(frame)))
             points.insert(points.end(), triangle.begin(), triangle.end());
     }
     addEqual(std::move(vertices), points);
@@ -143,12 +165,14 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
     for (int round = 0; round < kMostRounds; ++round) {
         const SolidFrame frame(zmap);
         const FormerTriangles flipped = flipWallCaps(frame, surface);
+        std::vector<std::uint32_t> unsound = pointsOfFolds(frame, surface);
         std::vector<LatticeTriangle> simple;
-        if (allowance > 0) { // a full mesh may not fit into memory twice
+        if (unsound.empty() && allowance > 0) { // a full mesh may not fit into memory twice
             simple = surface;
             simplifyWalls(frame, allowance, simple, context);
         }
-        std::vector<std::uint32_t> unsound = unsoundPoints(frame, allowance > 0 ? simple : surface);
+        if (unsound.empty())
+            unsound = unsoundPoints(frame, allowance > 0 ? simple : surface);
         if (unsound.empty() || context.stopped()) {
             TriangleMesh solid = closed(frame, std::move(allowance > 0 ? simple : surface), context);
             if (!context.stopped() && !isSoundInFloat(solid))

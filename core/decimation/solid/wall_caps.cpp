@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "core/decimation/solid/corners.h"
 
@@ -39,7 +40,7 @@ public:
         for (std::size_t t = 0; t < surface.size(); ++t) {
             if (std::ranges::none_of(surface[t], [&](auto point) { return frame.isBesideWall(point); }))
                 continue;
-            m_besideWalls.push_back(t);
+            m_toLookAt.push_back(t);
             for (const std::uint32_t point : surface[t])
                 isNear[point] = true;
         }
@@ -53,8 +54,8 @@ public:
         bool flipped = true;
         for (int round = 0; flipped && round < kMostRounds; ++round) {
             flipped = false;
-            for (const std::size_t t : m_besideWalls)
-                flipped = flipIfNeeded(t) || flipped;
+            for (const std::size_t t : std::exchange(m_toLookAt, {}))
+                flipped = look(t) || flipped;
         }
         return std::move(m_former);
     }
@@ -108,15 +109,21 @@ private:
         return size > 0 ? std::abs(glm::dot(normal, m_frame.top(side.b) - beyond[0])) / size : 0;
     }
 
-    bool flipIfNeeded(std::size_t t) {
+    /// Flips it if needed. What was flipped, or could not be, is looked at once more in the next round.
+    bool look(std::size_t t) {
         const Corners corners = at(m_surface[t]);
         std::optional<Side> way;
-        if (isGood(corners))
-            way = isOnWalls(m_surface[t]) && !isWallOrLevel(corners) ? sideOfWall(t) : std::nullopt;
-        else if (isOnWalls(m_surface[t]) && flatness(corners) < kCap * m_cell)
+        if (isGood(corners)) {
+            if (isOnWalls(m_surface[t]) && !isWallOrLevel(corners))
+                way = sideOfWall(t);
+            if (!way)
+                return false;
+        } else if (isOnWalls(m_surface[t]) && flatness(corners) < kCap * m_cell) {
             way = longSide(t, corners);
-        else
+        } else {
             way = sideInPlane(t);
+        }
+        m_toLookAt.push_back(t);
         if (way)
             flip(t, *way);
         return way.has_value();
@@ -193,13 +200,14 @@ private:
         m_surface[beyond] = {d, c, b};
         link(t);
         link(beyond);
+        m_toLookAt.push_back(beyond);
     }
 
     const SolidFrame& m_frame;
     std::vector<LatticeTriangle>& m_surface;
     double m_cell;
     std::unordered_map<std::uint64_t, std::size_t> m_triangleAt; ///< by the edge that leads around it
-    std::vector<std::size_t> m_besideWalls;
+    std::vector<std::size_t> m_toLookAt;
     FormerTriangles m_former;
 };
 
