@@ -58,6 +58,12 @@ public:
     [[nodiscard]] float height(int i, int j) const { return m_zmap.height(i, j); }
     [[nodiscard]] Vec2 cell() const { return {grid().hx, grid().hy}; }
 
+    /// Whether a rim is in one of the four cells around a point of the tile.
+    [[nodiscard]] bool isNearRim(int i, int j) const {
+        return m_isNear[static_cast<std::size_t>(j - m_rect.j0) * Tile::kSize +
+                        static_cast<std::size_t>(i - m_rect.i0)];
+    }
+
     /// Of the edge from (i, j) to one of its neighbours.
     [[nodiscard]] std::optional<RimCrossing> crossing(int i, int j, const GridStep& step) const {
         const auto [di, dj] = step;
@@ -90,16 +96,29 @@ private:
         const RimTilePtr& tile = m_zmap.rims()[static_cast<std::size_t>(tj * m_zmap.tilesX() + ti)];
         if (!tile)
             return;
-        if (m_rims.empty())
+        if (m_rims.empty()) {
             m_rims.resize(std::size_t{2} * kWidth * kWidth, nullptr);
+            m_isNear.resize(std::size_t{Tile::kSize} * Tile::kSize);
+        }
         for (const Rim& rim : tile->rims) {
             const RimEdge edge = RimEdge::of(rim.edge);
             const int i = ti * Tile::kSize + edge.i;
             const int j = tj * Tile::kSize + edge.j;
             const auto place = placeOf(i, j, edge.alongY);
-            if (place && isBetweenLevels(rim, i, j, edge.alongY))
+            if (place && isBetweenLevels(rim, i, j, edge.alongY)) {
                 m_rims[*place] = &rim;
+                markAround(i, j, edge.alongY);
+            }
         }
+    }
+    /// The corners of the cells on both sides of an edge, and of those at its ends.
+    void markAround(int i, int j, bool alongY) {
+        const IndexRect around{i - 1, j - 1, i + (alongY ? 2 : 3), j + (alongY ? 3 : 2)};
+        const IndexRect inside = intersection(around, m_rect);
+        for (int y = inside.j0; y < inside.j1; ++y)
+            for (int x = inside.i0; x < inside.i1; ++x)
+                m_isNear[static_cast<std::size_t>(y - m_rect.j0) * Tile::kSize +
+                         static_cast<std::size_t>(x - m_rect.i0)] = true;
     }
     /// Below the rim of a ball the surface goes on falling: points that left that slope for the wall would
     /// cut it off.
@@ -125,6 +144,7 @@ private:
     const ZMapSnapshot& m_zmap;
     IndexRect m_rect;
     std::vector<const Rim*> m_rims;
+    std::vector<bool> m_isNear; ///< by point of the tile
 };
 
 } // namespace proveout

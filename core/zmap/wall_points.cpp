@@ -121,6 +121,8 @@ std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size
     const IndexRect& rect = around.rect();
     for (int j = rect.j0; j < rect.j1; ++j) {
         for (int i = rect.i0; i < rect.i1; ++i) {
+            if (!around.isNearRim(i, j))
+                continue;
             const auto place = PointPlace(around, i, j).place();
             if (place)
                 walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
