@@ -50,16 +50,18 @@ namespace proveout {
 
 namespace {
 
+bool touchesFloor(const SolidFrame& frame, const std::vector<LatticeTriangle>& surface) {
+    return std::ranges::any_of(surface, [&frame](const LatticeTriangle& triangle) {
+        return frame.onFloor(triangle[0]) || frame.onFloor(triangle[1]) || frame.onFloor(triangle[2]);
+    });
+}
+
 TriangleMesh closed(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
                     const WorkContext& context) {
-    const bool touches =
-        std::any_of(surface.begin(), surface.end(), [&frame](const LatticeTriangle& triangle) {
-            return frame.onFloor(triangle[0]) || frame.onFloor(triangle[1]) || frame.onFloor(triangle[2]);
-        });
     if (surface.empty() || context.stopped())
         return {};
-    return touches ? closeOnFloor(frame, std::move(surface), context)
-                   : closeAboveFloor(frame, std::move(surface), context);
+    return touchesFloor(frame, surface) ? closeOnFloor(frame, std::move(surface), context)
+                                        : closeAboveFloor(frame, std::move(surface), context);
 }
 
 /// Whether a triangle keeps its side in single precision.
@@ -161,6 +163,9 @@ bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& poi
 
 std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                            double allowance, const WorkContext& context) {
+    if (touchesFloor(SolidFrame(zmap),
+                     surface)) // the floor under a wall would have its triangles, without area
+        return std::nullopt;
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds; ++round) {
         const SolidFrame frame(zmap);

@@ -38,7 +38,7 @@ inline constexpr double kPinchGap = 1e-4;
 /// of the surface, by which walls are simplified as well; 0: they keep all their points. Where other walls
 /// are so near that the grid does not resolve them, so that the solid would be farther from points of the map
 /// than allowed, or turned over, `zmap` loses them, and they are drawn at its points. Nothing if that does
-/// not help.
+/// not help, and if the surface comes down to the floor.
 [[nodiscard]] std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap,
                                                          std::vector<LatticeTriangle> surface,
                                                          double allowance, const WorkContext& context = {});

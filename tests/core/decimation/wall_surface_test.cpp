@@ -123,5 +123,15 @@ TEST(WallSurface, WallsThatTheGridDoesNotResolveLeaveOthersWhereTheyStand) {
     EXPECT_GT(ofPocket, 60U);
 }
 
+TEST(WallSurface, PartsThatAreCutThroughHaveWallsAtPoints) {
+    const WalledMap map(walledRegions().front(), 0.37, -static_cast<double>(kWalledDepth));
+    DecimationParameters parameters;
+    parameters.allowance = 0.02;
+    ZMapSnapshot moment = map.moment();
+    SurfaceSnapshot surface = decimatedWhole(moment, parameters);
+    EXPECT_FALSE(closeWithWalls(moment, surface.triangles(), parameters.allowance));
+    EXPECT_EQ(whatIsWrong(closeSolid(moment, surface.triangles())), "");
+}
+
 } // namespace
 } // namespace proveout::test

@@ -52,8 +52,8 @@ std::vector<WalledRegion> walledRegions() {
     return all;
 }
 
-WalledMap::WalledMap(const WalledRegion& region, double spacing) : m_region(region) {
-    const StockBox stock{{0, 0, 0}, kWalledSize, kWalledSize, 10};
+WalledMap::WalledMap(const WalledRegion& region, double spacing, double stockHeight) : m_region(region) {
+    const StockBox stock{{0, 0, 0}, kWalledSize, kWalledSize, stockHeight};
     m_grid = makeGrid(stock, spacing).value();
     ZMap zmap(stock, m_grid);
     for (std::size_t tile = 0; tile < zmap.tileCount(); ++tile) {

@@ -28,7 +28,7 @@ struct WalledRegion {
 /// The map of a region cut out of a box, or left of it.
 class WalledMap {
 public:
-    WalledMap(const WalledRegion& region, double spacing);
+    WalledMap(const WalledRegion& region, double spacing, double stockHeight = 10);
 
     [[nodiscard]] const ZMapSnapshot& moment() const { return m_moment; }
     [[nodiscard]] const Grid& grid() const { return m_grid; }
