@@ -34,7 +34,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -169,7 +168,7 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds; ++round) {
         const SolidFrame frame(zmap);
-        const FormerTriangles flipped = flipWallCaps(frame, surface);
+        FormerTriangles flipped = flipWallCaps(frame, surface);
         std::vector<std::uint32_t> unsound = pointsOfFolds(frame, surface);
         std::vector<LatticeTriangle> simple;
         if (unsound.empty() && allowance > 0) { // a full mesh may not fit into memory twice
@@ -187,8 +186,8 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
             if (unsound.empty() || context.stopped())
                 return solid;
         }
-        for (const auto& [triangle, before] : flipped | std::views::reverse)
-            surface[triangle] = before;
+        for (; !flipped.empty(); flipped.pop_back()) // the last first: some were flipped several times
+            surface[flipped.back().first] = flipped.back().second;
         if (!removeWallsAround(zmap, unsound))
             return std::nullopt;
     }
