@@ -34,4 +34,11 @@ inline double flatness(const Corners& corners) {
     return longest > 0 ? glm::length(normalOf(corners)) / longest : 0;
 }
 
+/// Whether a triangle of a surface is turned over. Walls that are round overhang a little, and are not.
+inline bool isTurnedOver(const Corners& corners) {
+    constexpr double kOverhang = 0.5;
+    const Vec3 normal = normalOf(corners);
+    return normal.z < -kOverhang * glm::length(normal);
+}
+
 } // namespace proveout

@@ -78,33 +78,19 @@ bool isSoundInFloat(const TriangleMesh& solid) {
     });
 }
 
-/// Whether it is turned over, so that the surface is folded, by more than a length.
-bool isFolded(const Corners& corners, double length) {
-    constexpr double kOverhang = 0.5; // of round walls
-    const Vec3 normal = normalOf(corners);
-    return normal.z < -kOverhang * glm::length(normal) && flatness(corners) > length;
-}
-
-bool isBesideWall(const SolidFrame& frame, const LatticeTriangle& triangle) {
-    return std::ranges::any_of(triangle, [&](auto point) { return frame.isBesideWall(point); });
-}
-
-Corners cornersOf(const SolidFrame& frame, const LatticeTriangle& triangle) {
-    return {frame.top(triangle[0]), frame.top(triangle[1]), frame.top(triangle[2])};
-}
-
-double cellOf(const SolidFrame& frame) {
-    const Grid& grid = frame.zmap().grid();
-    return std::max(grid.hx, grid.hy);
+/// Whether the surface is folded there by more than a part of a cell.
+bool isFolded(const SolidFrame& frame, const LatticeTriangle& triangle, double part) {
+    const Corners corners = frame.top(triangle);
+    return isTurnedOver(corners) && flatness(corners) > part * frame.cell();
 }
 
 /// The points of folds that will be there however walls are simplified.
 std::vector<std::uint32_t> pointsOfFolds(const SolidFrame& frame,
                                          const std::vector<LatticeTriangle>& surface) {
-    constexpr double kFold = 0.1; // of a cell
+    constexpr double kFold = 0.1;
     std::vector<std::uint32_t> points;
     for (const LatticeTriangle& triangle : surface) {
-        if (isBesideWall(frame, triangle) && isFolded(cornersOf(frame, triangle), kFold * cellOf(frame)))
+        if (frame.isBesideWall(triangle) && isFolded(frame, triangle, kFold))
             points.insert(points.end(), triangle.begin(), triangle.end());
     }
     return points;
@@ -128,16 +114,16 @@ std::vector<std::uint32_t> unsoundPoints(const SolidFrame& frame,
                                          const std::vector<LatticeTriangle>& surface) {
     std::vector<std::uint32_t> points;
     std::vector<VertexOfPoint> vertices;
-    constexpr double kFold = 0.01; // of a cell
+    constexpr double kFold = 0.01;
     for (const LatticeTriangle& triangle : surface) {
-        if (!isBesideWall(frame, triangle))
+        if (!frame.isBesideWall(triangle))
             continue;
-        const Corners corners = cornersOf(frame, triangle);
+        const Corners corners = frame.top(triangle);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 at = roundedTo(CoordinateType::float32, corners[k]);
             vertices.push_back({{at.x, at.y, at.z}, triangle[k]});
         }
-        if (!isSoundInFloat(corners) || isFolded(corners, kFold * cellOf(frame)))
+        if (!isSoundInFloat(corners) || isFolded(frame, triangle, kFold))
             points.insert(points.end(), triangle.begin(), triangle.end());
     }
     addEqual(std::move(vertices), points);
@@ -162,8 +148,8 @@ bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& poi
 
 std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                            double allowance, const WorkContext& context) {
-    if (touchesFloor(SolidFrame(zmap),
-                     surface)) // the floor under a wall would have its triangles, without area
+    // The floor would repeat the triangles of walls, where they have no area.
+    if (touchesFloor(SolidFrame(zmap), surface))
         return std::nullopt;
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds; ++round) {

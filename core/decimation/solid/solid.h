@@ -34,11 +34,11 @@ inline constexpr double kPinchGap = 1e-4;
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                       const WorkContext& context = {});
 
-/// The same with walls where they stand, if `zmap` has them and `surface` has their points. `allowance`: that
-/// of the surface, by which walls are simplified as well; 0: they keep all their points. Where other walls
-/// are so near that the grid does not resolve them, so that the solid would be farther from points of the map
-/// than allowed, or turned over, `zmap` loses them, and they are drawn at its points. Nothing if that does
-/// not help, and if the surface comes down to the floor.
+/// The same with walls where they stand, if `zmap` has them and `surface` has their points. `allowance`: mm,
+/// that of the surface, by which walls are simplified as well; 0: they keep all their points. Where other
+/// walls are so near that the grid does not resolve them, so that the solid would be farther from points of
+/// the map than allowed, or turned over, `zmap` loses them, and they are drawn at its points. Nothing if that
+/// does not help, and if the surface comes down to the floor.
 [[nodiscard]] std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap,
                                                          std::vector<LatticeTriangle> surface,
                                                          double allowance, const WorkContext& context = {});

@@ -35,12 +35,24 @@ bool SolidFrame::isBesideWall(std::uint32_t lattice) const {
     return m_zmap->walls().find(column(lattice), row(lattice)) != nullptr;
 }
 
+bool SolidFrame::isBesideWall(const LatticeTriangle& triangle) const {
+    return std::ranges::any_of(triangle, [this](std::uint32_t point) { return isBesideWall(point); });
+}
+
+double SolidFrame::cell() const {
+    return std::max(m_zmap->grid().hx, m_zmap->grid().hy);
+}
+
 Vec2 SolidFrame::plan(std::uint32_t lattice) const {
     return Vec2(vertexAt(*m_zmap, column(lattice), row(lattice)));
 }
 
 Vec3 SolidFrame::top(std::uint32_t lattice) const {
     return vertexAt(*m_zmap, column(lattice), row(lattice));
+}
+
+Corners SolidFrame::top(const LatticeTriangle& triangle) const {
+    return {top(triangle[0]), top(triangle[1]), top(triangle[2])};
 }
 
 bool SolidFrame::onFloor(std::uint32_t lattice) const {

@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "core/base/geometry.h"
+#include "core/decimation/regions/region_mesh.h"
+#include "core/decimation/solid/corners.h"
 #include "core/decimation/solid/solid.h"
 #include "core/zmap/zmap.h"
 
@@ -40,11 +42,16 @@ public:
     /// Whether it is on one of the four sides of the map.
     [[nodiscard]] bool onOutline(std::uint32_t lattice) const;
     [[nodiscard]] bool isBesideWall(std::uint32_t lattice) const;
+    /// Whether one of its points is.
+    [[nodiscard]] bool isBesideWall(const LatticeTriangle& triangle) const;
+    /// The larger spacing of the grid, mm.
+    [[nodiscard]] double cell() const;
 
     /// Of the vertex that is this grid point: beside a wall, it is on the wall.
     [[nodiscard]] Vec2 plan(std::uint32_t lattice) const;
     /// The point of the surface over a grid point.
     [[nodiscard]] Vec3 top(std::uint32_t lattice) const;
+    [[nodiscard]] Corners top(const LatticeTriangle& triangle) const;
     [[nodiscard]] double floorZ() const { return m_zmap->stock().floorZ(); }
     /// Whether the surface is so near the floor here that the two could not be distinguished.
     [[nodiscard]] bool onFloor(std::uint32_t lattice) const;

@@ -17,8 +17,6 @@ namespace {
 
 /// Triangles that are flatter than this, as a fraction of a cell, have no area.
 constexpr double kNoArea = 1e-4;
-/// The vertical part of the normal of a triangle that is turned over; walls that are round overhang less.
-constexpr double kTurnedOver = -0.5;
 /// The vertical part of the normals of what is level.
 constexpr double kLevel = 0.99;
 /// Walls are thinner in plan, as a fraction of a cell.
@@ -34,11 +32,10 @@ constexpr int kMostRounds = 64;
 class WallCaps {
 public:
     WallCaps(const SolidFrame& frame, std::vector<LatticeTriangle>& surface)
-        : m_frame(frame), m_surface(surface),
-          m_cell(std::max(frame.zmap().grid().hx, frame.zmap().grid().hy)) {
+        : m_frame(frame), m_surface(surface), m_cell(frame.cell()) {
         std::vector<bool> isNear(frame.points());
         for (std::size_t t = 0; t < surface.size(); ++t) {
-            if (std::ranges::none_of(surface[t], [&](auto point) { return frame.isBesideWall(point); }))
+            if (!frame.isBesideWall(surface[t]))
                 continue;
             m_toLookAt.push_back(t);
             for (const std::uint32_t point : surface[t])
@@ -75,13 +72,6 @@ private:
             m_triangleAt[key(m_surface[t][k], m_surface[t][(k + 1) % 3])] = t;
     }
 
-    [[nodiscard]] Corners at(const LatticeTriangle& triangle) const {
-        return {m_frame.top(triangle[0]), m_frame.top(triangle[1]), m_frame.top(triangle[2])};
-    }
-    [[nodiscard]] static bool isTurnedOver(const Corners& corners) {
-        const Vec3 normal = normalOf(corners);
-        return normal.z < kTurnedOver * glm::length(normal);
-    }
     [[nodiscard]] bool isGood(const Corners& corners) const {
         return flatness(corners) > kNoArea * m_cell && !isTurnedOver(corners);
     }
@@ -103,7 +93,7 @@ private:
 
     /// How far the middle point is from the plane of the triangle beyond a side.
     [[nodiscard]] double besidePlane(const Side& side) const {
-        const Corners beyond = at({side.c, side.a, side.d});
+        const Corners beyond = m_frame.top({side.c, side.a, side.d});
         const Vec3 normal = normalOf(beyond);
         const double size = glm::length(normal);
         return size > 0 ? std::abs(glm::dot(normal, m_frame.top(side.b) - beyond[0])) / size : 0;
@@ -111,7 +101,7 @@ private:
 
     /// Flips it if needed. What was flipped, or could not be, is looked at once more in the next round.
     bool look(std::size_t t) {
-        const Corners corners = at(m_surface[t]);
+        const Corners corners = m_frame.top(m_surface[t]);
         std::optional<Side> way;
         if (isGood(corners)) {
             if (isOnWalls(m_surface[t]) && !isWallOrLevel(corners))
@@ -150,7 +140,7 @@ private:
             if (!way)
                 continue;
             const auto isRight = [&](const LatticeTriangle& triangle) {
-                const Corners corners = at(triangle);
+                const Corners corners = m_frame.top(triangle);
                 return isGood(corners) && isWallOrLevel(corners);
             };
             if (isRight({way->a, way->d, way->b}) && isRight({way->d, way->c, way->b}))
@@ -165,7 +155,7 @@ private:
         if (!way)
             return std::nullopt;
         const LatticeTriangle& beyond = m_surface[way->beyond];
-        const Corners ofBeyond = at(beyond);
+        const Corners ofBeyond = m_frame.top(beyond);
         if (isGood(ofBeyond))
             return way;
         const std::uint32_t from = beyond[longestSide(ofBeyond)];
@@ -179,7 +169,8 @@ private:
         double least = kBesidePlane * m_cell;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::optional<Side> way = side(t, k);
-            if (!way || !isGood(at({way->a, way->d, way->b})) || !isGood(at({way->d, way->c, way->b})))
+            if (!way || !isGood(m_frame.top({way->a, way->d, way->b})) ||
+                !isGood(m_frame.top({way->d, way->c, way->b})))
                 continue;
             const double beside = besidePlane(*way);
             if (beside < least) {

@@ -38,7 +38,7 @@ class WallSimplifier {
 public:
     WallSimplifier(const SolidFrame& frame, double allowance, std::vector<LatticeTriangle>& surface)
         : m_frame(frame), m_zmap(frame.zmap()), m_surface(surface), m_allowance(allowance),
-          m_atWalls(kWallShare * allowance), m_cell(std::max(m_zmap.grid().hx, m_zmap.grid().hy)) {
+          m_atWalls(kWallShare * allowance), m_cell(frame.cell()) {
         for (std::size_t t = 0; t < surface.size(); ++t)
             add(t);
     }
@@ -76,12 +76,11 @@ private:
     };
 
     void add(std::size_t t) {
-        const auto isWall = [&](std::uint32_t point) { return m_frame.isBesideWall(point); };
-        if (std::ranges::none_of(m_surface[t], isWall))
+        if (!m_frame.isBesideWall(m_surface[t]))
             return;
         LatticeTriangle corners{};
         for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] = vertexOf(m_surface[t][k], isWall(m_surface[t][k]));
+            corners[k] = vertexOf(m_surface[t][k], m_frame.isBesideWall(m_surface[t][k]));
             m_stars[corners[k]].push_back(static_cast<Triangle>(m_beside.size()));
         }
         m_beside.push_back({t, corners, {}});

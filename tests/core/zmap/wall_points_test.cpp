@@ -68,5 +68,29 @@ TEST(WallPoints, MakeWallsVerticalAndStandOnTheOutline) {
     }
 }
 
+/// Rectangles across tiles, beyond the map and without wall points.
+TEST(WallPoints, OfARectangleCanBeRemoved) {
+    const WalledMap map(walledRegions().front(), 0.23);
+    const int nx = map.grid().nx;
+    const int ny = map.grid().ny;
+    const IndexRect all{0, 0, nx, ny};
+    for (const IndexRect& rect :
+         {IndexRect{50, 30, 90, 100}, IndexRect{-5, -5, nx + 5, 70}, IndexRect{0, 0, 9, 9}}) {
+        WallPoints left = map.moment().walls();
+        left.removeIn(rect);
+        std::size_t count = 0;
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                const bool inside = i >= rect.i0 && i < rect.i1 && j >= rect.j0 && j < rect.j1;
+                const bool is = map.moment().walls().find(i, j) != nullptr && !inside;
+                EXPECT_EQ(left.find(i, j) != nullptr, is) << i << " " << j;
+                count += is;
+            }
+        }
+        EXPECT_EQ(left.count(), count);
+        EXPECT_EQ(left.offsetsIn(all).size(), count);
+    }
+}
+
 } // namespace
 } // namespace proveout

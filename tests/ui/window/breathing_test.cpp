@@ -231,7 +231,7 @@ private slots:
         QVERIFY(openEndless());
         QTest::qWait(1000);
         station.open(sampleJobs().front().file);
-        QTest::qWait(1000); // so do the walls of the sample, which are drawn at rest
+        QTest::qWait(1000); // its walls, drawn at rest, use another shader
         const Breath breath;
         QVERIFY(openEndless());
         QTest::qWait(1000);
