@@ -21,37 +21,40 @@ bool isBetween(const Vec2& place, const Vec2& from, const Vec2& to, const Vec2& 
 
 } // namespace
 
-CellWalls::CellWalls(const RimSurroundings& around, int i, int j) : m_around(around), m_i(i), m_j(j) {
+CellWalls::CellWalls(const RimSurroundings& around, int i, int j, bool high)
+    : m_around(around), m_i(i), m_j(j), m_isHigh(high) {
     for (std::size_t edge = 0; edge < kEdges.size(); ++edge)
         look(edge);
 }
 
 std::optional<WallPlace> CellWalls::sharp(int corner) const {
-    if (m_count != 2)
+    if (m_count != 2 || isHigh(corner) != m_isHigh)
         return std::nullopt;
     const auto meeting = cornerOf(m_crossings[0], m_crossings[1]);
     if (!meeting || !isBetween(*meeting, Vec2(0), m_around.cell(), m_around.cell() * slack()) ||
         !isOfPair(corner, *meeting))
         return std::nullopt;
-    return ifLevel(corner, placeOf(corner, *meeting));
+    return ifLevel(corner, placeOf(corner, {*meeting, Vec2(0)}));
 }
 
 std::optional<WallPlace> CellWalls::oppositeOfCut(int corner) const {
     const auto cut = cutOff();
-    if (!cut || *cut + corner != 3 || !isDiagonal(*cut))
+    if (!cut || *cut + corner != 3 || !isDiagonal(*cut) || isHigh(corner) != m_isHigh)
         return std::nullopt;
     RimCrossing a = m_crossings[0];
     RimCrossing b = m_crossings[1];
     const Vec2 from = offsetOf(*cut);
     a.at -= from;
     b.at -= from;
-    return ifLevel(corner, placeOf(corner, from + onWall(a, b)));
+    OnWall wall = onWall(a, b);
+    wall.at += from;
+    return ifLevel(corner, placeOf(corner, wall));
 }
 
 void CellWalls::look(std::size_t edge) {
     const auto [from, to] = kEdges[edge];
     const GridStep step{to % 2 - from % 2, to / 2 - from / 2};
-    const auto crossing = m_around.crossing(column(from), row(from), step);
+    const auto crossing = m_around.crossing(column(from), row(from), step, m_isHigh);
     if (!crossing)
         return;
     m_high[m_count] = m_around.isHigh(column(from), row(from), step) ? from : to;
@@ -105,14 +108,14 @@ double CellWalls::slack() const {
     if (!cut)
         return kOutside;
     const auto hasBeyond = [&](const GridStep& step) {
-        return m_around.crossing(column(*cut), row(*cut), step).has_value();
+        return m_around.crossing(column(*cut), row(*cut), step, m_isHigh).has_value();
     };
     const bool isTip = hasBeyond({*cut % 2 == 0 ? -1 : 1, 0}) || hasBeyond({0, *cut / 2 == 0 ? -1 : 1});
     return isTip ? kFar : kOutside;
 }
 
-WallPlace CellWalls::placeOf(int corner, const Vec2& at) const {
-    return {at - offsetOf(corner), heightBeside(m_crossings[0], m_crossings[1], isHigh(corner))};
+WallPlace CellWalls::placeOf(int corner, const OnWall& wall) const {
+    return {wall.at - offsetOf(corner), heightBeside(m_crossings[0], m_crossings[1]), wall.normal};
 }
 
 std::optional<WallPlace> CellWalls::ifLevel(int corner, const WallPlace& place) const {

@@ -18,11 +18,11 @@ double cross(const Vec2& a, const Vec2& b) {
 
 } // namespace
 
-Vec2 onWall(const RimCrossing& a, const RimCrossing& b) {
+OnWall onWall(const RimCrossing& a, const RimCrossing& b) {
     const Vec2 chord = b.at - a.at;
     const double length2 = glm::dot(chord, chord);
     if (!(length2 > 0))
-        return a.at;
+        return {a.at, a.normal};
     const Vec2 left(-chord.y, chord.x);
     // The slopes of the curve against its chord.
     const auto slope = [&](const Vec2& normal) {
@@ -31,7 +31,9 @@ Vec2 onWall(const RimCrossing& a, const RimCrossing& b) {
     };
     const double t = std::clamp(-glm::dot(a.at, chord) / length2, 0.0, 1.0);
     const double beside = t * (1 - t) * ((1 - t) * slope(a.normal) - t * slope(b.normal));
-    return a.at + t * chord + beside * left;
+    const bool isCorner = std::abs(cross(a.normal, b.normal)) > kCorner || glm::dot(a.normal, b.normal) < 0;
+    return {a.at + t * chord + beside * left,
+            isCorner ? Vec2(0) : glm::normalize(glm::mix(a.normal, b.normal, t))};
 }
 
 std::optional<Vec2> cornerOf(const RimCrossing& a, const RimCrossing& b) {
@@ -41,10 +43,6 @@ std::optional<Vec2> cornerOf(const RimCrossing& a, const RimCrossing& b) {
     const double alongA = glm::dot(a.normal, a.at);
     const double alongB = glm::dot(b.normal, b.at);
     return Vec2(alongA * b.normal.y - alongB * a.normal.y, a.normal.x * alongB - b.normal.x * alongA) / turn;
-}
-
-double heightBeside(const RimCrossing& a, const RimCrossing& b, bool high) {
-    return (static_cast<double>(a.beside(high)) + static_cast<double>(b.beside(high))) / 2;
 }
 
 } // namespace proveout

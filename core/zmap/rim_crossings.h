@@ -14,14 +14,17 @@
 
 namespace proveout {
 
-/// A rim as seen from one of the two points of its edge.
+/// One side of a rim as seen from one of the two points of its edge.
 struct RimCrossing {
     Vec2 at; ///< from the point, mm
     Vec2 normal;
-    float top;
-    float bottom;
+    double height; ///< of the surface beside the wall
+};
 
-    [[nodiscard]] float beside(bool high) const { return high ? top : bottom; }
+/// A place on a wall.
+struct OnWall {
+    Vec2 at;
+    Vec2 normal; ///< 0: none, in a corner
 };
 
 /// A step from a point to one of its neighbours.
@@ -32,13 +35,15 @@ struct GridStep {
 };
 /// The place of a wall in a cell from its crossings of two edges, nearest to the point that both belong to:
 /// on the curve that passes through both at a right angle to their normals.
-[[nodiscard]] Vec2 onWall(const RimCrossing& a, const RimCrossing& b);
+[[nodiscard]] OnWall onWall(const RimCrossing& a, const RimCrossing& b);
 
 /// Where the walls through two rims meet, if they turn sharply there.
 [[nodiscard]] std::optional<Vec2> cornerOf(const RimCrossing& a, const RimCrossing& b);
 
-/// Of the surface on one side of a wall that crosses two edges.
-[[nodiscard]] double heightBeside(const RimCrossing& a, const RimCrossing& b, bool high);
+/// Of the surface beside a wall that crosses two edges.
+[[nodiscard]] inline double heightBeside(const RimCrossing& a, const RimCrossing& b) {
+    return (a.height + b.height) / 2;
+}
 
 /// The rims and heights of a tile and what surrounds it. Refers to the map.
 class RimSurroundings {
@@ -64,16 +69,18 @@ public:
                         static_cast<std::size_t>(i - m_rect.i0)];
     }
 
-    /// Of the edge from (i, j) to one of its neighbours.
-    [[nodiscard]] std::optional<RimCrossing> crossing(int i, int j, const GridStep& step) const {
+    /// Of the edge from (i, j) to one of its neighbours, on the high or low side of its wall, where the
+    /// surface is level up to the wall.
+    [[nodiscard]] std::optional<RimCrossing> crossing(int i, int j, const GridStep& step, bool high) const {
         const auto [di, dj] = step;
-        const Rim* rim = find(std::min(i, i + di), std::min(j, j + dj), dj != 0);
+        const Rim* rim = find(std::min(i, i + di), std::min(j, j + dj), dj != 0, high);
         if (rim == nullptr)
             return std::nullopt;
         // Points on both sides of a wall through a point of the grid must not meet there.
-        const double place = std::clamp(rim->fraction(), kApart, 1 - kApart);
+        const double place = std::clamp(rim->fraction(high), kApart, 1 - kApart);
         const double way = di + dj > 0 ? place : 1 - place;
-        return RimCrossing{Vec2(di * grid().hx, dj * grid().hy) * way, rim->normal(), rim->top, rim->bottom};
+        return RimCrossing{Vec2(di * grid().hx, dj * grid().hy) * way, rim->normal(),
+                           static_cast<double>(high ? rim->top : rim->bottom)};
     }
     [[nodiscard]] bool isHigh(int i, int j, const GridStep& step) const {
         return m_zmap.height(i, j) > m_zmap.height(i + step.di, j + step.dj);
@@ -97,17 +104,19 @@ private:
         if (!tile)
             return;
         if (m_rims.empty()) {
-            m_rims.resize(std::size_t{2} * kWidth * kWidth, nullptr);
+            m_rims.resize(std::size_t{2} * 2 * kWidth * kWidth, nullptr);
             m_isNear.resize(std::size_t{Tile::kSize} * Tile::kSize);
         }
         for (const Rim& rim : tile->rims) {
             const RimEdge edge = RimEdge::of(rim.edge);
             const int i = ti * Tile::kSize + edge.i;
             const int j = tj * Tile::kSize + edge.j;
-            const auto place = placeOf(i, j, edge.alongY);
-            if (place && isBetweenLevels(rim, i, j, edge.alongY)) {
-                m_rims[*place] = &rim;
-                markAround(i, j, edge.alongY);
+            for (const bool high : {false, true}) {
+                const auto place = placeOf(i, j, edge.alongY, high);
+                if (place && rim.has(high) && isLevelBeside(rim, i, j, edge.alongY, high)) {
+                    m_rims[*place] = &rim;
+                    markAround(i, j, edge.alongY);
+                }
             }
         }
     }
@@ -122,29 +131,28 @@ private:
     }
     /// Below the rim of a ball the surface goes on falling: points that left that slope for the wall would
     /// cut it off.
-    [[nodiscard]] bool isBetweenLevels(const Rim& rim, int i, int j, bool alongY) const {
+    [[nodiscard]] bool isLevelBeside(const Rim& rim, int i, int j, bool alongY, bool high) const {
         const int toI = i + (alongY ? 0 : 1);
         const int toJ = j + (alongY ? 1 : 0);
-        const bool falls = height(i, j) > height(toI, toJ);
-        return isLevel(i, j, static_cast<double>(falls ? rim.top : rim.bottom)) &&
-               isLevel(toI, toJ, static_cast<double>(falls ? rim.bottom : rim.top));
+        const bool first = (height(i, j) > height(toI, toJ)) == high;
+        return isLevel(first ? i : toI, first ? j : toJ, static_cast<double>(high ? rim.top : rim.bottom));
     }
-    [[nodiscard]] std::optional<std::size_t> placeOf(int i, int j, bool alongY) const {
+    [[nodiscard]] std::optional<std::size_t> placeOf(int i, int j, bool alongY, bool high) const {
         const int x = i - m_rect.i0 + kAround;
         const int y = j - m_rect.j0 + kAround;
         if (x < 0 || y < 0 || x >= kWidth || y >= kWidth)
             return std::nullopt;
-        return (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 2 + alongY;
+        return ((static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 2 + alongY) * 2 + high;
     }
-    [[nodiscard]] const Rim* find(int i, int j, bool alongY) const {
-        const auto place = placeOf(i, j, alongY);
+    [[nodiscard]] const Rim* find(int i, int j, bool alongY, bool high) const {
+        const auto place = placeOf(i, j, alongY, high);
         return place ? m_rims[*place] : nullptr;
     }
 
     const ZMapSnapshot& m_zmap;
     IndexRect m_rect;
-    std::vector<const Rim*> m_rims;
-    std::vector<bool> m_isNear; ///< by point of the tile
+    std::vector<const Rim*> m_rims; ///< by edge, and by side where the surface is level
+    std::vector<bool> m_isNear;     ///< by point of the tile
 };
 
 } // namespace proveout

@@ -2,6 +2,8 @@
 // Where between the points of a z-map a wall stands.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -12,17 +14,35 @@
 
 namespace proveout {
 
+/// Parts of normals as rims hold them, in 32 767ths.
+[[nodiscard]] inline std::int16_t inRimUnits(double part) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(part, -1.0, 1.0) * 32767));
+}
+[[nodiscard]] inline Vec2 normalInRimUnits(std::int16_t x, std::int16_t y) {
+    return {x / 32767.0, y / 32767.0};
+}
+
+/// Which sides of a wall are known on an edge: the wall may go on beyond its other end.
+enum class RimSides : std::uint8_t { both, high, low };
+
 /// A wall that crosses an edge of the grid: the line from a point to the next one along x or y.
 struct Rim {
-    std::uint16_t edge;  ///< of its tile: RimEdge
-    std::uint16_t place; ///< of the wall, from the edge's first point, in 65 536ths of the edge
-    float top;           ///< heights at both ends of the wall, relative to the top of the stock, mm
+    std::uint16_t edge; ///< of its tile: RimEdge
+    /// Where the wall begins on its high and on its low side, from the edge's first point, in 65 536ths of
+    /// the edge: the same place if it is vertical.
+    std::uint16_t highPlace;
+    std::uint16_t lowPlace;
+    RimSides sides;
+    float top; ///< heights at both ends of the wall, relative to the top of the stock, mm
     float bottom;
-    std::int16_t normalX; ///< of the wall over ground, from its low to its high side, in 32 767ths
+    std::int16_t normalX; ///< of the wall over ground, from its low to its high side
     std::int16_t normalY;
 
-    [[nodiscard]] double fraction() const { return place / 65536.0; }
-    [[nodiscard]] Vec2 normal() const { return {normalX / 32767.0, normalY / 32767.0}; }
+    [[nodiscard]] bool has(bool high) const {
+        return sides == RimSides::both || high == (sides == RimSides::high);
+    }
+    [[nodiscard]] double fraction(bool high) const { return (high ? highPlace : lowPlace) / 65536.0; }
+    [[nodiscard]] Vec2 normal() const { return normalInRimUnits(normalX, normalY); }
     friend bool operator==(const Rim&, const Rim&) = default;
 };
 

@@ -35,18 +35,20 @@ public:
         if (m_freeX && m_freeY) {
             if (const auto sharp = ofCells(&CellWalls::sharp))
                 return sharp;
-            if (m_count == 0)
-                return ofCells(&CellWalls::oppositeOfCut);
+            const auto opposite = m_count == 0 ? ofCells(&CellWalls::oppositeOfCut) : std::nullopt;
+            if (opposite)
+                return opposite;
         }
         if (m_count == 0)
-            return std::nullopt;
+            return m_isOnSlope ? std::optional(stays()) : std::nullopt;
         if (m_count == 1)
-            return WallPlace{m_seen[0].crossing.at, static_cast<double>(m_seen[0].crossing.beside(m_high))};
+            return WallPlace{m_seen[0].crossing.at, m_seen[0].crossing.height, m_seen[0].crossing.normal};
         if (m_count != 2 || m_seen[0].step.isOpposite(m_seen[1].step))
             return stays(); // walls on opposite sides: it cannot be on both
         const RimCrossing& a = m_seen[0].crossing;
         const RimCrossing& b = m_seen[1].crossing;
-        return WallPlace{onWall(a, b), heightBeside(a, b, m_high)};
+        const OnWall wall = onWall(a, b);
+        return WallPlace{wall.at, heightBeside(a, b), wall.normal};
     }
 
 private:
@@ -65,10 +67,12 @@ private:
         const int j = m_j + step.dj;
         if (i < 0 || j < 0 || i >= m_around.grid().nx || j >= m_around.grid().ny)
             return;
-        const auto crossing = m_around.crossing(m_i, m_j, step);
-        if (!crossing)
-            return;
         const bool high = m_around.isHigh(m_i, m_j, step);
+        const auto crossing = m_around.crossing(m_i, m_j, step, high);
+        if (!crossing) {
+            m_isOnSlope = m_isOnSlope || m_around.crossing(m_i, m_j, step, !high).has_value();
+            return;
+        }
         m_mixed = m_mixed || (m_count > 0 && high != m_high);
         m_high = high;
         m_seen[m_count++] = {step, *crossing};
@@ -78,9 +82,11 @@ private:
     [[nodiscard]] std::optional<WallPlace> ofCells(std::optional<WallPlace> (CellWalls::*ask)(int)
                                                        const) const {
         for (int corner = 0; corner < 4; ++corner) {
-            const CellWalls cell(m_around, m_i - corner % 2, m_j - corner / 2);
-            if (const auto place = (cell.*ask)(corner))
-                return place;
+            for (const bool high : {false, true}) {
+                const CellWalls cell(m_around, m_i - corner % 2, m_j - corner / 2, high);
+                if (const auto place = (cell.*ask)(corner))
+                    return place;
+            }
         }
         return std::nullopt;
     }
@@ -91,7 +97,8 @@ private:
     bool m_freeX = false; ///< not on the border of the map
     bool m_freeY = false;
     bool m_high = false;
-    bool m_mixed = false; ///< both above one wall and below another: it stays
+    bool m_mixed = false;     ///< both above one wall and below another: it stays
+    bool m_isOnSlope = false; ///< that begins or ends before the next point: beside the crease, it stays
     std::array<Seen, kSteps.size()> m_seen{};
     std::size_t m_count = 0;
 };
@@ -127,7 +134,8 @@ std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size
             if (place)
                 walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
                                         static_cast<float>(place->at.x), static_cast<float>(place->at.y),
-                                        static_cast<float>(place->z)});
+                                        static_cast<float>(place->z), inRimUnits(place->normal.x),
+                                        inRimUnits(place->normal.y)});
         }
     }
     return walls.points.empty() ? nullptr : std::make_shared<const WallTile>(std::move(walls));

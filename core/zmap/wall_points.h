@@ -18,11 +18,15 @@ class ZMapSnapshot;
 
 /// A point beside a wall. A mesh whose vertices are points of the grid draws it on the wall: the points above
 /// and below a wall then meet in one line, so that the wall is vertical and stands where the cutter left it.
+/// Beside a wall that is not vertical, the points of its levels are drawn on its creases, and the nearest
+/// ones of its slope, which stay where they are, belong to them.
 struct WallPoint {
     std::uint16_t point; ///< within its tile: row · 64 + column
     float dx;            ///< from the point of the grid to the wall, mm
     float dy;
-    float z; ///< of the surface there, relative to the top of the stock
+    float z;              ///< of the surface there, relative to the top of the stock
+    std::int16_t normalX; ///< of the wall over ground, as that of a rim; 0: none, in a corner
+    std::int16_t normalY;
     friend bool operator==(const WallPoint&, const WallPoint&) = default;
 };
 

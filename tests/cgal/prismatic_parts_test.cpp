@@ -74,7 +74,8 @@ struct Cut {
     }
 
     /// Places all along the outline of the area.
-    void addOutline(std::vector<Vec2>& outline) const {
+    void addOutline(std::vector<Vec2>& outline, double wider = 0) const {
+        const double reach = radius + wider;
         constexpr double kStep = 0.03; // mm
         const auto addArc = [&](const Vec2& centre, double r, double start, double turn) {
             const int steps = static_cast<int>(std::ceil(std::abs(turn) * r / kStep));
@@ -84,19 +85,19 @@ struct Cut {
             }
         };
         if (isCircle()) {
-            for (const double r : {around - radius, around + radius}) {
+            for (const double r : {around - reach, around + reach}) {
                 if (r > 0)
                     addArc(from, r, angle, sweep);
             }
-            addArc(end(0), radius, 0, kTurn);
-            addArc(end(1), radius, 0, kTurn);
+            addArc(end(0), reach, 0, kTurn);
+            addArc(end(1), reach, 0, kTurn);
             return;
         }
-        addArc(from, radius, 0, kTurn);
-        addArc(to, radius, 0, kTurn);
+        addArc(from, reach, 0, kTurn);
+        addArc(to, reach, 0, kTurn);
         const double length = glm::distance(from, to);
         const Vec2 along = length > 0 ? (to - from) / length : Vec2(1, 0);
-        const Vec2 across = radius * Vec2(-along.y, along.x);
+        const Vec2 across = reach * Vec2(-along.y, along.x);
         for (double at = 0; at < length; at += kStep) {
             outline.push_back(from + at * along + across);
             outline.push_back(from + at * along - across);
@@ -114,6 +115,8 @@ struct Part {
     std::string name;
     std::vector<Cut> cuts;
     double allowed = kNear;
+    double degrees = 0; ///< of the taper of the cutter
+    double spacing = kSpacing;
 
     [[nodiscard]] double distance(const Vec2& place) const {
         double least = std::numeric_limits<double>::infinity();
@@ -121,14 +124,18 @@ struct Part {
             least = std::min(least, cut.distance(place));
         return least;
     }
+    /// At the top of the stock.
+    [[nodiscard]] double wider() const { return kDepth * std::tan(degrees * kTurn / 360); }
     /// Of a point from the surface of the exact part; the outside of the stock is not looked at. Where two
     /// cuts meet, it may be too small: CGAL looks at these places from the other side.
     [[nodiscard]] double distance(const Vec3& point) const {
-        const double d = distance(Vec2(point));
-        const double top = d >= 0 ? std::abs(point.z) : std::hypot(d, point.z);
-        const double floor = d <= 0 ? std::abs(point.z + kDepth) : std::hypot(d, point.z + kDepth);
-        const double beyond = std::max({point.z, -kDepth - point.z, 0.0});
-        return std::min({top, floor, std::hypot(d, beyond)});
+        // From the foot of the wall, across it and up.
+        const Vec2 at(distance(Vec2(point)), point.z + kDepth);
+        const Vec2 rim(wider(), kDepth);
+        const double top = at.x >= rim.x ? std::abs(at.y - rim.y) : glm::distance(at, rim);
+        const double floor = at.x <= 0 ? std::abs(at.y) : glm::length(at);
+        const double part = std::clamp(glm::dot(at, rim) / glm::dot(rim, rim), 0.0, 1.0);
+        return std::min({top, floor, glm::distance(at, part * rim)});
     }
 };
 
@@ -168,6 +175,11 @@ std::vector<Part> parts() {
         rectangle("rectangle at 30 degrees", 30),
         {"crossing slots", {slot(2.5, 20, 60), slot(2.5, 107, 60)}, kCorner},
         {"keyhole", {slot(5, 0, 0), {2, kMiddle, kMiddle + 9.0 * towards(62)}}, kCorner},
+        {"tapered slot at 17 degrees", {slot(3, 17, 60)}, kNear, 3},
+        {"tapered slot at 45 degrees", {slot(3, 45, 60)}, kNear, 10},
+        {"tapered hole", {slot(3, 0, 0)}, kNear, 3},
+        {"tapered pocket", {circle(3, 7), circle(3, 2.5)}, kNear, 5},
+        {"steeply tapered boss", {circle(3, 8)}, kNear, 1},
     };
 }
 
@@ -177,15 +189,18 @@ ZMapSnapshot cutOut(const Part& part) {
     mills.reserve(part.cuts.size());
     std::vector<CutterMotion> motions;
     for (const Cut& cut : part.cuts) {
-        mills.push_back(cutterOf("flat:d=" + std::to_string(2 * cut.radius)));
+        const std::string size = std::to_string(2 * cut.radius);
+        mills.push_back(cutterOf(part.degrees > 0
+                                     ? "taper:d=" + size + ",angle=" + std::to_string(part.degrees) + ",h=20"
+                                     : "flat:d=" + size));
         motions.push_back({&mills.back(), cut.motion()});
     }
-    ZMap zmap(kStock, makeGrid(kStock, kSpacing).value());
+    ZMap zmap(kStock, makeGrid(kStock, part.spacing).value());
     EXPECT_TRUE(cutHeights(zmap, motions, {}));
     ZMapSnapshot moment = zmap.snapshot();
     RimMap rims;
     for (std::size_t tile = 0; tile < moment.tileCount(); ++tile)
-        rims.push_back(rimsOfTile(moment, tile, nullptr, motions, {}, RimEdges::betweenLevels));
+        rims.push_back(rimsOfTile(moment, tile, nullptr, motions, {}, RimEdges::atLevels));
     moment.setRims(std::move(rims));
     moment.setWalls(WallPoints(moment));
     return moment;
@@ -214,16 +229,16 @@ double farthestOfFaces(const Part& part, const TriangleMesh& solid) {
 }
 
 std::vector<Vec3> pointsOfWalls(const Part& part) {
-    std::vector<Vec2> outline;
-    for (const Cut& cut : part.cuts)
-        cut.addOutline(outline);
     std::vector<Vec3> points;
-    for (const Vec2& place : outline) {
-        constexpr double kRounding = 1e-9;
-        if (part.distance(place) < -kRounding || !isInside(place))
-            continue; // another cut has taken it away
-        for (const double z : {0.0, -0.37 * kDepth, -kDepth})
-            points.emplace_back(place, z);
+    for (const double up : {0.0, 0.37, 1.0}) { // of the wall
+        std::vector<Vec2> outline;
+        for (const Cut& cut : part.cuts)
+            cut.addOutline(outline, up * part.wider());
+        for (const Vec2& place : outline) {
+            constexpr double kRounding = 1e-9;
+            if (part.distance(place) >= up * part.wider() - kRounding && isInside(place))
+                points.emplace_back(place, (up - 1) * kDepth); // else another cut has taken it away
+        }
     }
     return points;
 }

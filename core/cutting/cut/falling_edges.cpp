@@ -60,10 +60,28 @@ private:
 
 using RowMarks = std::array<std::uint32_t, Tile::kSize>;
 
-/// Marks the edges from each of the points of a row to the next one `step` heights on that fall by more than
-/// `least`, where the edges before and after them fall by at most `most`. Returns whether there is one.
-PROVEOUT_VECTOR_CLONES bool markRow(const float* row, std::ptrdiff_t step, float least, float most,
+/// What is looked for along one axis; falls of edges, mm.
+struct Wanted {
+    float least;
+    float most;  ///< of the edges before and after it
+    float level; ///< or of one of them; negative: none
+
+    Wanted(RimEdges edges, double spacing)
+        : least(static_cast<float>(kWallSlope * spacing)),
+          most(edges == RimEdges::all ? std::numeric_limits<float>::infinity() : least),
+          level(edges == RimEdges::all ? -1.0F : static_cast<float>(kLevelSlope * spacing)) {}
+};
+
+/// Falls at levels count so many times as much.
+constexpr float kCreasesAlso = kWallSlope / kCreaseSlope;
+
+/// Marks the edges from each of the points of a row to the next one `step` heights on that are wanted.
+/// Returns whether there is one.
+PROVEOUT_VECTOR_CLONES bool markRow(const float* row, std::ptrdiff_t step, const Wanted& wanted,
                                     RowMarks& marks) {
+    const float most = wanted.most;
+    const float level = wanted.level;
+    const float least = wanted.least;
     const float* last = row - step;
     const float* next = row + step;
     const float* afterNext = next + step;
@@ -74,9 +92,14 @@ PROVEOUT_VECTOR_CLONES bool markRow(const float* row, std::ptrdiff_t step, float
         const float after = next[i] - afterNext[i];
         const float highest = before > after ? before : after;
         const float lowest = before < after ? before : after;
-        const float forwards = highest <= most ? fall - (before > 0 ? before : 0) : 0;
-        const float backwards = lowest >= -most ? (after < 0 ? after : 0) - fall : 0;
-        excess[i] = forwards > backwards ? forwards : backwards;
+        const float flatBefore = before > 0 ? before : -before;
+        const float flatAfter = after > 0 ? after : -after;
+        const float down = highest <= most ? fall - (before > 0 ? before : 0) : 0;
+        const float up = lowest >= -most ? (after < 0 ? after : 0) - fall : 0;
+        const float steep = fall > 0 ? fall : -fall;
+        const float atLevel = flatBefore <= level || flatAfter <= level ? steep * kCreasesAlso : 0;
+        const float wall = down > up ? down : up;
+        excess[i] = wall > atLevel ? wall : atLevel;
     }
     std::uint32_t any = 0;
     for (std::size_t i = 0; i < Tile::kSize; ++i) {
@@ -90,29 +113,31 @@ FallingEdge edgeAt(const float* point, std::ptrdiff_t step, const RimEdge& edge)
     const bool reversed = point[0] < point[step];
     const float* high = reversed ? point + step : point;
     const std::ptrdiff_t onwards = reversed ? -step : step;
-    return {edge, reversed, double{high[0]}, double{high[onwards]}, double{high[-onwards]} - double{high[0]}};
+    return {edge,
+            reversed,
+            double{high[0]},
+            double{high[onwards]},
+            double{high[-onwards]} - double{high[0]},
+            double{high[onwards]} - double{high[2 * onwards]}};
 }
 
 } // namespace
 
 std::vector<FallingEdge> fallingEdges(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted) {
-    const auto most = [wanted](double spacing) {
-        return wanted == RimEdges::all ? std::numeric_limits<float>::infinity()
-                                       : static_cast<float>(kWallSlope * spacing);
-    };
     const IndexRect rect = zmap.tileRect(tile);
     const Grid& grid = zmap.grid();
     const Surroundings heights(zmap, rect);
     std::vector<FallingEdge> edges;
     RowMarks alongX;
     RowMarks alongY;
+    const Wanted wantedX(wanted, grid.hx);
+    const Wanted wantedY(wanted, grid.hy);
     const int edgesX = std::min(rect.width(), grid.nx - 1 - rect.i0);
     const int edgesY = std::min(rect.height(), grid.ny - 1 - rect.j0);
     for (int j = 0; j < rect.height(); ++j) {
         const float* row = heights.at(0, j);
-        const bool anyX = markRow(row, 1, static_cast<float>(kWallSlope * grid.hx), most(grid.hx), alongX);
-        const bool anyY = markRow(row, Surroundings::kSide, static_cast<float>(kWallSlope * grid.hy),
-                                  most(grid.hy), alongY);
+        const bool anyX = markRow(row, 1, wantedX, alongX);
+        const bool anyY = markRow(row, Surroundings::kSide, wantedY, alongY);
         if (!anyX && !anyY)
             continue;
         for (int i = 0; i < rect.width(); ++i) {

@@ -26,6 +26,10 @@ constexpr double kLeastWall = kWallSlope / 2;
 /// edge, their walls are one.
 constexpr double kPasses = 1.0 / 64;
 
+/// A slope begins or ends at a level where it is away from it by this part of an edge.
+constexpr double kCrease = 1.0 / 1024;
+constexpr int kHalvings = 20;
+
 /// Cutters this near, mm, may have cut a point in single precision.
 constexpr double kNear = 1e-4;
 
@@ -111,30 +115,103 @@ double settled(const Surface& surface, const EdgeLine& line, double place, doubl
     return above;
 }
 
-std::int16_t inUnits(double part) {
-    return static_cast<std::int16_t>(std::lround(std::clamp(part, -1.0, 1.0) * 32767));
+/// One side of a wall on a line.
+struct Side {
+    double place; ///< mm from the high end
+    double height;
+};
+
+/// The wall on an edge: what is known of it.
+struct WallOnEdge {
+    std::optional<Side> high;
+    std::optional<Side> low;
+};
+
+/// The wall where the surface jumps.
+WallOnEdge jumpOn(const FallingEdge& edge, const EdgeLine& line, const Surface& surface, double place,
+                  RimEdges wanted) {
+    const double beside = besideWall(line);
+    const double top = place > beside ? surface.height(line.at(place - beside)) : edge.high;
+    const auto bottom = [&](double beyond) {
+        return place + beyond < line.length ? surface.height(line.at(place + beyond)) : edge.low;
+    };
+    const double atWall = bottom(beside);
+    if (!(top - atWall > kLeastWall * line.length))
+        return {};
+    const double below = wanted == RimEdges::all ? atWall : bottom(kPasses * line.length);
+    return {Side{place, top}, Side{place, below}};
+}
+
+/// Between `above`, where the surface is above a height, and `below`, where it is not, the place where it
+/// comes down to it.
+double placeOfHeight(const Surface& surface, const EdgeLine& line, double height, double above,
+                     double below) {
+    for (int k = 0; k < kHalvings; ++k) {
+        const double middle = (above + below) / 2;
+        (surface.height(line.at(middle)) > height ? above : below) = middle;
+    }
+    return (above + below) / 2;
+}
+
+/// The direction in which the slope of a wall rises, over ground, a little beyond its creases.
+Vec2 uphill(const Surface& surface, const EdgeLine& line, const WallOnEdge& wall) {
+    const double inside = line.length / 64;
+    const double step = line.length / 4096;
+    const Vec2 place = line.at(wall.high ? wall.high->place + inside : wall.low->place - inside);
+    const auto rise = [&](const Vec2& way) {
+        return surface.height(place + way) - surface.height(place - way);
+    };
+    const Vec2 gradient(rise({step, 0}), rise({0, step}));
+    const double size = glm::length(gradient);
+    return size > 0 ? gradient / size : Vec2(0);
+}
+
+/// Adds the creases where a slope begins at a level and ends at one.
+void addCreases(const FallingEdge& edge, const EdgeLine& line, const Surface& surface, double below,
+                WallOnEdge& wall) {
+    const double near = kCrease * line.length;
+    const bool opensAbove = !wall.high || edge.high - wall.high->height > near;
+    if (opensAbove && edge.isFromLevel(line.length))
+        wall.high = {placeOfHeight(surface, line, edge.high - near, 0, below), edge.high};
+    const bool opensBelow = !wall.low || wall.low->height - edge.low > near;
+    if (opensBelow && edge.isToLevel(line.length))
+        wall.low = {
+            placeOfHeight(surface, line, edge.low + near, wall.high ? wall.high->place : 0, line.length),
+            edge.low};
+}
+
+std::uint16_t inUnits(double place, const FallingEdge& edge, double length) {
+    const double part = edge.reversed ? 1 - place / length : place / length;
+    return static_cast<std::uint16_t>(std::clamp(std::round(part * 65536), 0.0, 65535.0));
 }
 
 std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Surface& surface,
                          RimEdges wanted) {
-    const EdgeCrossing crossing = surface.crossing(line);
-    if (!crossing.found())
+    WallOnEdge wall;
+    EdgeCrossing crossing;
+    double below = line.length;
+    if (edge.fallsMore(kWallSlope, line.length)) {
+        crossing = surface.crossing(line);
+        if (crossing.found()) {
+            below = settled(surface, line, crossing.place, besideWall(line));
+            wall = jumpOn(edge, line, surface, below, wanted);
+        }
+    }
+    if (wanted == RimEdges::atLevels)
+        addCreases(edge, line, surface, below, wall);
+    if (!wall.high && !wall.low)
         return std::nullopt;
-    const double beside = besideWall(line);
-    const double place = settled(surface, line, crossing.place, beside);
-    const double top = place > beside ? surface.height(line.at(place - beside)) : edge.high;
-    const double beyond = wanted == RimEdges::all ? beside : kPasses * line.length;
-    const double bottom = place + beyond < line.length ? surface.height(line.at(place + beyond)) : edge.low;
-    if (!(top - bottom > kLeastWall * line.length))
-        return std::nullopt;
-    const double part = edge.reversed ? 1 - place / line.length : place / line.length;
+    const Side& known = wall.high ? *wall.high : *wall.low;
+    const Vec2 normal = crossing.found() ? crossing.outwards : uphill(surface, line, wall);
     Rim rim{};
     rim.edge = edge.edge.index();
-    rim.place = static_cast<std::uint16_t>(std::clamp(std::round(part * 65536), 0.0, 65535.0));
-    rim.top = static_cast<float>(top);
-    rim.bottom = static_cast<float>(bottom);
-    rim.normalX = inUnits(crossing.outwards.x);
-    rim.normalY = inUnits(crossing.outwards.y);
+    rim.sides = !wall.low ? RimSides::high : (wall.high ? RimSides::both : RimSides::low);
+    rim.highPlace = inUnits(wall.high.value_or(known).place, edge, line.length);
+    rim.lowPlace = inUnits(wall.low.value_or(known).place, edge, line.length);
+    rim.top = static_cast<float>(wall.high ? wall.high->height : edge.high);
+    rim.bottom = static_cast<float>(wall.low ? wall.low->height : edge.low);
+    rim.normalX = inRimUnits(normal.x);
+    rim.normalY = inRimUnits(normal.y);
     return rim;
 }
 

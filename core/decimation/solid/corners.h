@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "core/base/geometry.h"
@@ -39,6 +40,13 @@ inline bool isTurnedOver(const Corners& corners) {
     constexpr double kOverhang = 0.5;
     const Vec3 normal = normalOf(corners);
     return normal.z < -kOverhang * glm::length(normal);
+}
+
+/// Whether a triangle is nearly level, whichever way it faces.
+inline bool isLevel(const Corners& corners) {
+    constexpr double kLevel = 0.99;
+    const Vec3 normal = normalOf(corners);
+    return std::abs(normal.z) >= kLevel * glm::length(normal);
 }
 
 } // namespace proveout

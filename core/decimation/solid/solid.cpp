@@ -33,11 +33,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/decimation/solid/corners.h"
+#include "core/decimation/solid/level_folds.h"
 #include "core/decimation/solid/solid_above_floor.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/decimation/solid/solid_frame.h"
@@ -155,6 +157,7 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
     for (int round = 0; round < kMostRounds; ++round) {
         const SolidFrame frame(zmap);
         FormerTriangles flipped = flipWallCaps(frame, surface);
+        std::ranges::move(unfoldLevels(frame, surface), std::back_inserter(flipped));
         std::vector<std::uint32_t> unsound = pointsOfFolds(frame, surface);
         std::vector<LatticeTriangle> simple;
         if (unsound.empty() && allowance > 0) { // a full mesh may not fit into memory twice

@@ -39,6 +39,11 @@ bool SolidFrame::isBesideWall(const LatticeTriangle& triangle) const {
     return std::ranges::any_of(triangle, [this](std::uint32_t point) { return isBesideWall(point); });
 }
 
+Vec2 SolidFrame::wallNormal(std::uint32_t lattice) const {
+    const auto* wall = m_zmap->walls().find(column(lattice), row(lattice));
+    return wall == nullptr ? Vec2(0) : normalInRimUnits(wall->normalX, wall->normalY);
+}
+
 double SolidFrame::cell() const {
     return std::max(m_zmap->grid().hx, m_zmap->grid().hy);
 }

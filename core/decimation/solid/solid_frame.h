@@ -44,6 +44,8 @@ public:
     [[nodiscard]] bool isBesideWall(std::uint32_t lattice) const;
     /// Whether one of its points is.
     [[nodiscard]] bool isBesideWall(const LatticeTriangle& triangle) const;
+    /// That of the wall which a point is beside, over ground from its low to its high side; 0: none.
+    [[nodiscard]] Vec2 wallNormal(std::uint32_t lattice) const;
     /// The larger spacing of the grid, mm.
     [[nodiscard]] double cell() const;
 

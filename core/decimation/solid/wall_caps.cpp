@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/decimation/solid/corners.h"
+#include "core/decimation/solid/creases.h"
 
 namespace proveout {
 
@@ -17,8 +18,6 @@ namespace {
 
 /// Triangles that are flatter than this, as a fraction of a cell, have no area.
 constexpr double kNoArea = 1e-4;
-/// The vertical part of the normals of what is level.
-constexpr double kLevel = 0.99;
 /// Walls are thinner in plan, as a fraction of a cell.
 constexpr double kWall = 0.1;
 /// Three points of one edge of a wall are flatter than this, as a fraction of a cell.
@@ -106,7 +105,10 @@ private:
         if (isGood(corners)) {
             if (isOnWalls(m_surface[t]) && !isWallOrLevel(corners))
                 way = sideOfWall(t);
-            if (!way)
+            const bool leadsAcross = !way && isAcross(m_surface[t]);
+            if (leadsAcross)
+                way = sideOfCrease(t);
+            if (!way && !leadsAcross)
                 return false;
         } else if (isOnWalls(m_surface[t]) && flatness(corners) < kCap * m_cell) {
             way = longSide(t, corners);
@@ -123,8 +125,7 @@ private:
         return std::ranges::all_of(triangle, [&](auto point) { return m_frame.isBesideWall(point); });
     }
     [[nodiscard]] bool isWallOrLevel(const Corners& corners) const {
-        const Vec3 normal = normalOf(corners);
-        if (std::abs(normal.z) > kLevel * glm::length(normal))
+        if (isLevel(corners))
             return true;
         Corners plan = corners;
         for (Vec3& corner : plan)
@@ -141,9 +142,27 @@ private:
                 continue;
             const auto isRight = [&](const LatticeTriangle& triangle) {
                 const Corners corners = m_frame.top(triangle);
-                return isGood(corners) && isWallOrLevel(corners);
+                return isGood(corners) && isWallOrLevel(corners) && !isAcross(triangle);
             };
             if (isRight({way->a, way->d, way->b}) && isRight({way->d, way->c, way->b}))
+                return way;
+        }
+        return std::nullopt;
+    }
+
+    /// A long one, which had no area beyond the crease before one of its points moved onto that.
+    [[nodiscard]] bool isAcross(const LatticeTriangle& triangle) const {
+        const auto uphill = [&](std::size_t k) { return m_frame.wallNormal(triangle[k]); };
+        return isAcrossCrease(m_frame.top(triangle), {uphill(0), uphill(1), uphill(2)}, m_cell);
+    }
+
+    [[nodiscard]] std::optional<Side> sideOfCrease(std::size_t t) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::optional<Side> way = side(t, k);
+            const auto isRight = [&](const LatticeTriangle& triangle) {
+                return isGood(m_frame.top(triangle)) && !isAcross(triangle);
+            };
+            if (way && isRight({way->a, way->d, way->b}) && isRight({way->d, way->c, way->b}))
                 return way;
         }
         return std::nullopt;

@@ -11,8 +11,10 @@
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "core/decimation/solid/corners.h"
+#include "core/decimation/solid/creases.h"
 #include "core/decimation/solid/point_distance.h"
 
 namespace proveout {
@@ -22,7 +24,7 @@ namespace {
 constexpr double kFlat = 1e-3;     ///< of a cell: flatter triangles are not made, nor changed
 constexpr double kTurn = 0.9;      ///< cosine of the largest turn of a triangle
 constexpr double kCoplanar = 1e-5; ///< mm
-/// The vertical part of normals: up to the first, of walls; from the second on, of what is between them.
+/// The vertical part of normals: up to the first, of walls; up to the second, of slopes beside creases.
 constexpr double kSheet = 0.05;
 constexpr double kSlope = 0.65;
 constexpr int kMostPoints = 4096; ///< of the map, that are looked at for one triangle
@@ -90,6 +92,7 @@ private:
         if (isNew) {
             m_points.push_back(point);
             m_at.push_back(m_frame.top(point));
+            m_uphill.push_back(m_frame.wallNormal(point));
             m_stars.emplace_back();
             m_isWall.push_back(isWall);
             m_isOutline.push_back(m_frame.onOutline(point));
@@ -166,9 +169,9 @@ private:
             LatticeTriangle now = corners(triangle);
             if (has(now, to))
                 continue;
-            const Corners before = at(now);
+            const LatticeTriangle was = now;
             std::ranges::replace(now, vertex, to);
-            if (!mayBecome(before, at(now), at(vertex)))
+            if (!mayBecome(at(was), at(now), at(vertex)) || (isAcross(now) && !isAcross(was)))
                 return change;
             change.kept.push_back(triangle);
             change.corners.push_back(now);
@@ -180,7 +183,7 @@ private:
             std::size_t nearest = 0;
             for (std::size_t k = 0; k < change.corners.size(); ++k) {
                 const Corners now = at(change.corners[k]);
-                if (!isWall(now))
+                if (!isSteep(now))
                     continue; // the point may be on it, but not on its edge
                 const double distance = distanceToTriangle(point, now[0], now[1], now[2]);
                 if (distance < least) {
@@ -205,9 +208,9 @@ private:
         const double size = glm::length(is);
         if (isFlat(before) || isFlat(now) || glm::dot(was, is) < kTurn * size * glm::length(was))
             return false;
-        if (isWall(now))
-            return true;
-        if (is.z < kSlope * size)
+        if (isWall(now) && is.z <= 0)
+            return true; // round walls overhang a little
+        if (is.z < 0 || (isSteep(now) && !isSteep(before)))
             return false; // turned over, or in a tip that is narrower than cells, from one side of the wall
                           // to the other
         // On one plane, nothing changes for the points under it.
@@ -215,36 +218,66 @@ private:
         return flat || isNearPoints(now, is);
     }
 
+    [[nodiscard]] bool isAcross(const LatticeTriangle& triangle) const {
+        return isAcrossCrease(at(triangle),
+                              {m_uphill[triangle[0]], m_uphill[triangle[1]], m_uphill[triangle[2]]}, m_cell);
+    }
+
     [[nodiscard]] static bool isWall(const Corners& corners) {
         const Vec3 normal = normalOf(corners);
         return std::abs(normal.z) < kSheet * glm::length(normal);
     }
 
+    [[nodiscard]] static bool isSteep(const Corners& corners) {
+        const Vec3 normal = normalOf(corners);
+        return normal.z < kSlope * glm::length(normal);
+    }
+
     /// Whether the points of the map under a triangle are within the allowance of it.
     [[nodiscard]] bool isNearPoints(const Corners& corners, const Vec3& normal) const {
         const Grid& grid = m_zmap.grid();
-        Box3 box;
-        for (const Vec3& corner : corners)
-            box.add(corner);
-        const int i0 = std::max(static_cast<int>(std::ceil((box.lo.x - grid.x0) / grid.hx)), 0);
-        const int j0 = std::max(static_cast<int>(std::ceil((box.lo.y - grid.y0) / grid.hy)), 0);
-        const int i1 = std::min(static_cast<int>(std::floor((box.hi.x - grid.x0) / grid.hx)), grid.nx - 1);
-        const int j1 = std::min(static_cast<int>(std::floor((box.hi.y - grid.y0) / grid.hy)), grid.ny - 1);
-        if (std::int64_t{i1 - i0 + 1} * (j1 - j0 + 1) > kMostPoints)
-            return false;
+        const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+        const auto [j0, j1] = pointsBetween(low, high, grid.y0, grid.hy, grid.ny);
+        int left = kMostPoints;
         for (int j = j0; j <= j1; ++j) {
+            const auto [from, to] = spanAt(corners, grid.y(j));
+            const auto [i0, i1] = pointsBetween(from, to, grid.x0, grid.hx, grid.nx);
+            left -= 1 + std::max(i1 - i0 + 1, 0);
+            if (left < 0)
+                return false;
             for (int i = i0; i <= i1; ++i) {
                 const Vec2 place(grid.x(i), grid.y(j));
-                if (!covers(corners, place))
-                    continue;
                 const Vec2 away = place - Vec2(corners[0]);
                 const double z = corners[0].z - (normal.x * away.x + normal.y * away.y) / normal.z;
                 const double height = m_zmap.stock().topZ() + static_cast<double>(m_zmap.height(i, j));
-                if (std::abs(z - height) > m_allowance)
+                if (covers(corners, place) && std::abs(z - height) > m_allowance)
                     return false;
             }
         }
         return true;
+    }
+    /// The first and last of `count` points of the grid along an axis that are in an interval.
+    [[nodiscard]] static std::pair<int, int> pointsBetween(double low, double high, double first,
+                                                           double spacing, int count) {
+        return {std::max(static_cast<int>(std::ceil((low - first) / spacing)), 0),
+                std::min(static_cast<int>(std::floor((high - first) / spacing)), count - 1)};
+    }
+    /// Where a triangle crosses a line along x, and a little more.
+    [[nodiscard]] static std::pair<double, double> spanAt(const Corners& corners, double y) {
+        constexpr double kSlack = 1e-9;
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& a = corners[k];
+            const Vec3& b = corners[(k + 1) % 3];
+            if (std::min(a.y, b.y) > y || std::max(a.y, b.y) < y)
+                continue;
+            const double part = a.y == b.y ? 0 : (y - a.y) / (b.y - a.y);
+            const double x = a.x + part * (b.x - a.x);
+            low = std::min({low, x, a.y == b.y ? b.x : x});
+            high = std::max({high, x, a.y == b.y ? b.x : x});
+        }
+        return {low - kSlack, high + kSlack};
     }
     [[nodiscard]] static bool covers(const Corners& corners, const Vec2& place) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -295,6 +328,7 @@ private:
     std::unordered_map<std::uint32_t, Vertex> m_vertexOf; ///< by point
     std::vector<std::uint32_t> m_points;                  ///< by vertex, as all that follow
     std::vector<Vec3> m_at;
+    std::vector<Vec2> m_uphill;
     std::vector<std::vector<Triangle>> m_stars;
     std::vector<bool> m_isWall;
     std::vector<bool> m_isOutline;

@@ -66,7 +66,7 @@ std::vector<Wall> wallsOf(const CutMap& cut, const StockTop* uncut = nullptr,
         const IndexRect rect = cut.map.tileRect(tile);
         for (const Rim& rim : rims->rims) {
             const RimEdge edge = RimEdge::of(rim.edge);
-            const double along = rim.fraction();
+            const double along = rim.fraction(true);
             const Vec2 at(grid.x(rect.i0 + edge.i) + (edge.alongY ? 0 : along * grid.hx),
                           grid.y(rect.j0 + edge.j) + (edge.alongY ? along * grid.hy : 0));
             walls.push_back({at, rim.normal(), double{rim.top}, double{rim.bottom}});
@@ -109,13 +109,89 @@ TEST(TileRims, OfPassesAtSeveralDepthsAreOfOneWall) {
     const CutMap cut({{0, 0, 0}, 40, 30, 12}, 0.7,
                      {{&mill, straightMotion({-10, 10.1, -3}, {60, 10.1, -3})},
                       {&mill, straightMotion({-10, 10.1004, -6}, {60, 10.0996, -6})}});
-    const std::vector<Wall> walls = wallsOf(cut, nullptr, RimEdges::betweenLevels);
+    const std::vector<Wall> walls = wallsOf(cut, nullptr, RimEdges::atLevels);
     EXPECT_GT(walls.size(), 100U);
     for (const Wall& wall : walls) {
         EXPECT_NEAR(std::abs(wall.at.y - 10.1), 4, 1e-3);
         EXPECT_NEAR(wall.top, 0, 1e-6);
         EXPECT_NEAR(wall.bottom, -6, 1e-6);
     }
+}
+
+struct Crease {
+    Vec2 at;
+    bool high;
+    double z;
+};
+
+/// Both sides of all rims at levels.
+std::vector<Crease> creasesOf(const CutMap& cut) {
+    std::vector<Crease> creases;
+    const Grid& grid = cut.map.grid();
+    for (std::size_t tile = 0; tile < cut.map.tileCount(); ++tile) {
+        const RimTilePtr rims = cut.rims(tile, nullptr, RimEdges::atLevels);
+        for (const Rim& rim : rims == nullptr ? std::vector<Rim>{} : rims->rims) {
+            const RimEdge edge = RimEdge::of(rim.edge);
+            const IndexRect rect = cut.map.tileRect(tile);
+            for (const bool high : {false, true}) {
+                if (!rim.has(high))
+                    continue;
+                const double along = rim.fraction(high);
+                const Vec2 at(grid.x(rect.i0 + edge.i) + (edge.alongY ? 0 : along * grid.hx),
+                              grid.y(rect.j0 + edge.j) + (edge.alongY ? along * grid.hy : 0));
+                creases.push_back({at, high, double{high ? rim.top : rim.bottom}});
+            }
+        }
+    }
+    return creases;
+}
+
+/// From a cutter's path, where a tapered wall from the floor of 6 mm to the top of the stock has its creases.
+/// Within an edge or over several.
+TEST(TileRims, OfTaperedWallsAreAtTheirCreases) {
+    for (const double degrees : {0.6, 3.0, 12.0, 40.0}) {
+        for (const double spacing : {0.5, 0.13}) {
+            SCOPED_TRACE(fmt::format("{} degrees, {} mm", degrees, spacing));
+            const Cutter mill = cutterOf(fmt::format("taper:d=6,angle={},h=20", degrees));
+            const Vec2 along(std::cos(17 * kTurn / 360), std::sin(17 * kTurn / 360));
+            const Vec2 across(-along.y, along.x);
+            const Vec2 middle(17.2, 20.3);
+            const CutMap cut(
+                {{-3, 5, 2}, 40, 30, 12}, spacing,
+                {{&mill, straightMotion(Vec3(middle - along * 60.0, -2), Vec3(middle + along * 60.0, -2))}});
+            const double wider = 4 * std::tan(degrees * kTurn / 360);
+            std::array<std::size_t, 2> count{};
+            for (const Crease& crease : creasesOf(cut)) {
+                const double beside = std::abs(glm::dot(crease.at - middle, across));
+                const Vec2 inside = glm::min(crease.at - Vec2(-3, 5), Vec2(37, 35) - crease.at);
+                if (std::min(inside.x, inside.y) < spacing)
+                    continue; // what follows beyond the border is not known
+                EXPECT_NEAR(beside, crease.high ? 3 + wider : 3,
+                            2e-3 * spacing * std::tan(degrees * kTurn / 360) + kPlace)
+                    << crease.at.x << ' ' << crease.at.y;
+                EXPECT_NEAR(crease.z, crease.high ? 0 : -4, 2e-3 * spacing);
+                ++count[crease.high ? 1 : 0];
+            }
+            for (const std::size_t ofSide : count)
+                EXPECT_GT(ofSide, 60 / spacing);
+        }
+    }
+}
+
+/// The wall of a ball goes on below its rim, and has no crease at its floor.
+TEST(TileRims, OfABallAreWhereItLeavesTheTop) {
+    const Cutter ball = cutterOf("ball:d=8");
+    const CutMap cut({{0, 0, 0}, 40, 30, 12}, 0.3,
+                     {{&ball, straightMotion({-10, 15.1, -3.5}, {60, 15.1, -3.5})}});
+    std::size_t high = 0;
+    for (const Crease& crease : creasesOf(cut)) {
+        if (!crease.high)
+            continue;
+        EXPECT_NEAR(std::abs(crease.at.y - 15.1), std::sqrt(16 - 0.25), 1e-4);
+        EXPECT_FLOAT_EQ(static_cast<float>(crease.z), 0);
+        ++high;
+    }
+    EXPECT_EQ(high, 2U * static_cast<std::size_t>(cut.map.grid().nx));
 }
 
 /// Two cuts beside each other at different depths: the wall between them, and the step in the outer walls.
@@ -382,7 +458,7 @@ std::optional<Vec2> oracleNormal(const RandomCase& random, const SteepEdge& edge
 }
 
 void expectRim(const RandomCase& random, const SteepEdge& edge, const Rim& rim) {
-    const double place = edge.reversed ? 1 - rim.fraction() : rim.fraction();
+    const double place = edge.reversed ? 1 - rim.fraction(true) : rim.fraction(true);
     constexpr double kNear = 1e-3;
     const auto below = [&](double part) { return random.height(edge.at(part)) < edge.lineAt(part) + 1e-6; };
     const double before = place - kNear;

@@ -109,9 +109,9 @@ void WalledMap::add(const RimEdge& edge, int i, int j, RimTile& rims) const {
         (isLow(at(middle)) == isLow(at(0)) ? from : to) = middle;
     }
     const Vec2 normal = gradient(m_region, at(from)) * (m_region.floorInside ? 1.0 : -1.0);
-    rims.rims.push_back({edge.index(), static_cast<std::uint16_t>(std::lround(from * 65535)), 0, kWalledDepth,
-                         static_cast<std::int16_t>(normal.x * 32767),
-                         static_cast<std::int16_t>(normal.y * 32767)});
+    const auto wall = static_cast<std::uint16_t>(std::lround(from * 65535));
+    rims.rims.push_back({edge.index(), wall, wall, RimSides::both, 0, kWalledDepth, inRimUnits(normal.x),
+                         inRimUnits(normal.y)});
 }
 
 } // namespace proveout

@@ -152,7 +152,8 @@ TEST(ZMapSnapshot, KeepsRimsWithItsHeights) {
     ZMapSnapshot moment = freshMap().snapshot();
     EXPECT_TRUE(moment.rims().empty());
     RimMap rims(moment.tileCount());
-    rims.edit(3) = std::make_shared<RimTile>(RimTile{{{RimEdge{5, 7, true}.index(), 100, 0, -1, 0, 1}}});
+    rims.edit(3) = std::make_shared<RimTile>(
+        RimTile{{{RimEdge{5, 7, true}.index(), 100, 100, RimSides::both, 0, -1, 0, 1}}});
     moment.setRims(rims);
     const ZMapSnapshot copy = moment;
     moment.setRims({});
