@@ -23,6 +23,11 @@ SolidFrame::SolidFrame(const ZMapSnapshot& zmap)
     : m_zmap(&zmap), m_gapZ(gapAt(zmap.stock().topZ(), zmap.stock().floorZ())) {
     const Grid& grid = zmap.grid();
     m_gapXY = std::max(gapAt(grid.x(0), grid.x(grid.nx - 1)), gapAt(grid.y(0), grid.y(grid.ny - 1)));
+    if (zmap.walls().empty())
+        return;
+    m_isBesideWall.resize(points());
+    for (const std::uint32_t point : zmap.walls().offsetsIn({0, 0, grid.nx, grid.ny}))
+        m_isBesideWall[point] = true;
 }
 
 bool SolidFrame::onOutline(std::uint32_t lattice) const {
@@ -31,17 +36,15 @@ bool SolidFrame::onOutline(std::uint32_t lattice) const {
     return i == 0 || j == 0 || i == nx() - 1 || j == ny() - 1;
 }
 
-bool SolidFrame::isBesideWall(std::uint32_t lattice) const {
-    return m_zmap->walls().find(column(lattice), row(lattice)) != nullptr;
-}
-
 bool SolidFrame::isBesideWall(const LatticeTriangle& triangle) const {
     return std::ranges::any_of(triangle, [this](std::uint32_t point) { return isBesideWall(point); });
 }
 
 Vec2 SolidFrame::wallNormal(std::uint32_t lattice) const {
+    if (!isBesideWall(lattice))
+        return Vec2(0);
     const auto* wall = m_zmap->walls().find(column(lattice), row(lattice));
-    return wall == nullptr ? Vec2(0) : normalInRimUnits(wall->normalX, wall->normalY);
+    return normalInRimUnits(wall->normalX, wall->normalY);
 }
 
 double SolidFrame::cell() const {
@@ -49,11 +52,16 @@ double SolidFrame::cell() const {
 }
 
 Vec2 SolidFrame::plan(std::uint32_t lattice) const {
-    return Vec2(vertexAt(*m_zmap, column(lattice), row(lattice)));
+    return Vec2(top(lattice));
 }
 
 Vec3 SolidFrame::top(std::uint32_t lattice) const {
-    return vertexAt(*m_zmap, column(lattice), row(lattice));
+    const int i = column(lattice);
+    const int j = row(lattice);
+    if (isBesideWall(lattice))
+        return vertexAt(*m_zmap, i, j);
+    const Grid& grid = m_zmap->grid();
+    return {grid.x(i), grid.y(j), m_zmap->stock().topZ() + static_cast<double>(m_zmap->height(i, j))};
 }
 
 Corners SolidFrame::top(const LatticeTriangle& triangle) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/decimation/regions/region_mesh.h"
@@ -41,7 +42,9 @@ public:
     [[nodiscard]] const ZMapSnapshot& zmap() const { return *m_zmap; }
     /// Whether it is on one of the four sides of the map.
     [[nodiscard]] bool onOutline(std::uint32_t lattice) const;
-    [[nodiscard]] bool isBesideWall(std::uint32_t lattice) const;
+    [[nodiscard]] bool isBesideWall(std::uint32_t lattice) const {
+        return !m_isBesideWall.empty() && m_isBesideWall[lattice];
+    }
     /// Whether one of its points is.
     [[nodiscard]] bool isBesideWall(const LatticeTriangle& triangle) const;
     /// That of the wall which a point is beside, over ground from its low to its high side; 0: none.
@@ -64,6 +67,7 @@ public:
 
 private:
     const ZMapSnapshot* m_zmap;
+    std::vector<bool> m_isBesideWall; ///< by point; empty: none is
     double m_gapZ;
     double m_gapXY;
 };

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "core/decimation/solid/corners.h"
@@ -75,7 +76,8 @@ private:
         return flatness(corners) > kNoArea * m_cell && !isTurnedOver(corners);
     }
 
-    /// Nothing at the border of the map, or if the flip would make an edge that exists elsewhere.
+    /// Nothing at the border of the map, if the flip would make an edge that exists elsewhere, or one that
+    /// was flipped already: two rules could go on for ever.
     [[nodiscard]] std::optional<Side> side(std::size_t t, std::size_t k) const {
         const std::uint32_t a = m_surface[t][k];
         const std::uint32_t c = m_surface[t][(k + 1) % 3];
@@ -85,7 +87,8 @@ private:
             return std::nullopt;
         const auto isThird = [&](std::uint32_t vertex) { return vertex != a && vertex != c; };
         const std::uint32_t d = *std::ranges::find_if(m_surface[beyond->second], isThird);
-        if (m_triangleAt.contains(key(b, d)) || m_triangleAt.contains(key(d, b)))
+        if (m_triangleAt.contains(key(b, d)) || m_triangleAt.contains(key(d, b)) ||
+            m_flipped.contains(key(b, d)) || m_flipped.contains(key(d, b)))
             return std::nullopt;
         return Side{a, b, c, d, beyond->second};
     }
@@ -204,6 +207,7 @@ private:
         const auto& [a, b, c, d, beyond] = side;
         m_triangleAt.erase(key(a, c));
         m_triangleAt.erase(key(c, a));
+        m_flipped.insert(key(a, c));
         m_former.emplace_back(t, m_surface[t]);
         m_former.emplace_back(beyond, m_surface[beyond]);
         m_surface[t] = {a, d, b};
@@ -217,6 +221,7 @@ private:
     std::vector<LatticeTriangle>& m_surface;
     double m_cell;
     std::unordered_map<std::uint64_t, std::size_t> m_triangleAt; ///< by the edge that leads around it
+    std::unordered_set<std::uint64_t> m_flipped;                 ///< edges
     std::vector<std::size_t> m_toLookAt;
     FormerTriangles m_former;
 };
