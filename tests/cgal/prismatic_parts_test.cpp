@@ -16,11 +16,13 @@
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/tile_rims.h"
 #include "core/decimation/solid/solid.h"
+#include "core/decimation/solid/solid_error.h"
 #include "core/decimation/surface/refined_surface.h"
 #include "tests/cgal/distance_oracle.h"
 #include "tests/cgal/solid_oracle.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/core/decimation/closed_mesh.h"
+#include "tests/random_seed.h"
 
 namespace proveout::test {
 namespace {
@@ -117,6 +119,7 @@ struct Part {
     double allowed = kNear;
     double degrees = 0; ///< of the taper of the cutter
     double spacing = kSpacing;
+    bool isCutThrough = false;
 
     [[nodiscard]] double distance(const Vec2& place) const {
         double least = std::numeric_limits<double>::infinity();
@@ -133,7 +136,9 @@ struct Part {
         const Vec2 at(distance(Vec2(point)), point.z + kDepth);
         const Vec2 rim(wider(), kDepth);
         const double top = at.x >= rim.x ? std::abs(at.y - rim.y) : glm::distance(at, rim);
-        const double floor = at.x <= 0 ? std::abs(at.y) : glm::length(at);
+        const double floor = isCutThrough ? std::numeric_limits<double>::infinity()
+                             : at.x <= 0  ? std::abs(at.y)
+                                          : glm::length(at);
         const double part = std::clamp(glm::dot(at, rim) / glm::dot(rim, rim), 0.0, 1.0);
         return std::min({top, floor, glm::distance(at, part * rim)});
     }
@@ -180,6 +185,11 @@ std::vector<Part> parts() {
         {"tapered hole", {slot(3, 0, 0)}, kNear, 3},
         {"tapered pocket", {circle(3, 7), circle(3, 2.5)}, kNear, 5},
         {"steeply tapered boss", {circle(3, 8)}, kNear, 1},
+        {"slot through", {slot(3, 17, 60)}, kNear, 0, kSpacing, true},
+        {"oblong hole through", {slot(3, 73, 5.5)}, kNear, 0, kSpacing, true},
+        {"disc that is cut out", {circle(3, 8)}, kNear, 0, kSpacing, true},
+        {"tapered hole through", {slot(3, 0, 0)}, kNear, 3, kSpacing, true},
+        {"crossing slots through", {slot(2.5, 20, 60), slot(2.5, 107, 60)}, kCorner, 0, kSpacing, true},
     };
 }
 
@@ -195,7 +205,10 @@ ZMapSnapshot cutOut(const Part& part) {
                                      : "flat:d=" + size));
         motions.push_back({&mills.back(), cut.motion()});
     }
-    ZMap zmap(kStock, makeGrid(kStock, part.spacing).value());
+    StockBox stock = kStock;
+    if (part.isCutThrough)
+        stock.height = kDepth;
+    ZMap zmap(stock, makeGrid(stock, part.spacing).value());
     EXPECT_TRUE(cutHeights(zmap, motions, {}));
     ZMapSnapshot moment = zmap.snapshot();
     RimMap rims;
@@ -216,12 +229,13 @@ bool isInside(const Vec2& place) {
 /// The largest distance of vertices, middles of edges and centres of faces from the part.
 double farthestOfFaces(const Part& part, const TriangleMesh& solid) {
     double farthest = 0;
+    const double underside = part.isCutThrough ? -kDepth : -kStock.height;
     for (const auto& triangle : solid.triangles) {
         const Vec3& a = solid.vertices[triangle[0]];
         const Vec3& b = solid.vertices[triangle[1]];
         const Vec3& c = solid.vertices[triangle[2]];
         for (const Vec3& point : {a, b, c, (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0, (a + b + c) / 3.0}) {
-            if (isInside(Vec2(point)) && point.z > -kStock.height)
+            if (isInside(Vec2(point)) && point.z > underside)
                 farthest = std::max(farthest, part.distance(point));
         }
     }
@@ -259,6 +273,51 @@ TEST(PrismaticParts, AreInFilesAsTheyWereCut) {
         EXPECT_LE(farthestOfFaces(part, *solid), part.allowed);
         EXPECT_LE(farthestFrom(*solid, pointsOfWalls(part)), part.allowed);
     }
+}
+
+/// Slots, holes and arcs anywhere, also across the border of the stock: ribs and corners that the grid does
+/// not resolve, and holes that touch each other.
+Part randomPart(Random& random) {
+    Part part{"random", {}};
+    part.spacing = uniform(random, 0.15, 0.9);
+    part.isCutThrough = random() % 3 != 0;
+    part.degrees = random() % 3 == 0 ? uniform(random, 0.6, 30) : 0;
+    const auto place = [&] { return Vec2(uniform(random, -3, 33), uniform(random, -3, 29)); };
+    for (auto cuts = 1 + random() % 8; cuts > 0; --cuts) {
+        Cut cut{uniform(random, 0.6, 4), place(), place()};
+        if (random() % 3 == 0)
+            cut.around = uniform(random, 1, 10);
+        else if (random() % 3 == 0)
+            cut.to = cut.from;
+        cut.angle = uniform(random, 0, kTurn);
+        cut.sweep = uniform(random, 0.2, kTurn);
+        part.cuts.push_back(cut);
+    }
+    return part;
+}
+
+TEST(PrismaticParts, OfRandomCutsAreSound) {
+    const std::uint32_t first = randomSeed();
+    int walled = 0;
+    const int rounds = roundsOf(60);
+    for (int k = 0; k < rounds; ++k) {
+        const std::uint32_t seed = first + static_cast<std::uint32_t>(k);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        ZMapSnapshot moment = cutOut(randomPart(random));
+        DecimationParameters parameters;
+        parameters.allowance = uniform(random, 0.002, 0.05);
+        SurfaceSnapshot surface = decimatedWhole(moment, parameters);
+        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance);
+        if (!solid)
+            continue;
+        ++walled;
+        EXPECT_EQ(whatIsWrong(*solid), "");
+        EXPECT_EQ(whatCgalFindsWrong(*solid, Intersections::skip), "");
+        EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::sample),
+                  parameters.allowance);
+    }
+    EXPECT_GT(walled, rounds * 9 / 10);
 }
 
 } // namespace

@@ -147,13 +147,15 @@ private:
         return result;
     }
 
-    /// Whether new triangles would have edges that others have.
+    /// Whether new triangles would have edges that others have, or that a side of the solid may have.
     [[nodiscard]] bool meetOthers(const std::vector<LatticeTriangle>& triangles,
                                   const std::unordered_set<Edge>& edges) const {
         return std::ranges::any_of(triangles, [&](const LatticeTriangle& triangle) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const Edge one = edge(triangle[k], triangle[(k + 1) % 3]);
-                if (!edges.contains(one) && m_triangleAt.contains(one))
+                const bool isNew = !edges.contains(one) && !edges.contains(edge(endOf(one), triangle[k]));
+                const bool isOfSide = m_frame.onOutline(triangle[k]) && m_frame.onOutline(endOf(one));
+                if (isNew && (isOfSide || m_triangleAt.contains(one)))
                     return true;
             }
             return false;

@@ -248,14 +248,14 @@ private:
     std::vector<std::array<std::uint32_t, 3>> m_triangles;
 };
 
+} // namespace
+
 double areaOf(std::span<const Vec2> points, const PlanLoop& loop) {
     double area = 0;
     for (std::size_t k = 1; k + 1 < loop.size(); ++k)
         area += turn(points[loop[0]], points[loop[k]], points[loop[k + 1]]);
     return area;
 }
-
-} // namespace
 
 std::optional<std::vector<std::array<std::uint32_t, 3>>>
 triangulatePolygon(std::span<const Vec2> points, const std::vector<PlanLoop>& loops) {

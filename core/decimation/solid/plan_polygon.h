@@ -21,6 +21,9 @@ using PlanLoop = std::vector<std::uint32_t>;
 [[nodiscard]] std::optional<std::vector<std::array<std::uint32_t, 3>>>
 triangulatePolygon(std::span<const Vec2> points, const std::vector<PlanLoop>& loops);
 
+/// Twice the area of a loop, positive if it is counter-clockwise.
+[[nodiscard]] double areaOf(std::span<const Vec2> points, const PlanLoop& loop);
+
 /// Twice the area of a triangle, positive if it is counter-clockwise.
 [[nodiscard]] inline double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);

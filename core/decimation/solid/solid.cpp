@@ -41,6 +41,7 @@
 #include "core/decimation/solid/corners.h"
 #include "core/decimation/solid/level_folds.h"
 #include "core/decimation/solid/solid_above_floor.h"
+#include "core/decimation/solid/solid_cut_through.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/decimation/solid/solid_frame.h"
 #include "core/decimation/solid/solid_on_floor.h"
@@ -80,10 +81,14 @@ bool isSoundInFloat(const TriangleMesh& solid) {
     });
 }
 
+bool isOnFloor(const SolidFrame& frame, const LatticeTriangle& triangle) {
+    return std::ranges::all_of(triangle, [&](auto point) { return frame.onFloor(point); });
+}
+
 /// Whether the surface is folded there by more than a part of a cell.
 bool isFolded(const SolidFrame& frame, const LatticeTriangle& triangle, double part) {
     const Corners corners = frame.top(triangle);
-    return isTurnedOver(corners) && flatness(corners) > part * frame.cell();
+    return isTurnedOver(corners) && flatness(corners) > part * frame.cell() && !isOnFloor(frame, triangle);
 }
 
 /// The points of folds that will be there however walls are simplified.
@@ -118,7 +123,7 @@ std::vector<std::uint32_t> unsoundPoints(const SolidFrame& frame,
     std::vector<VertexOfPoint> vertices;
     constexpr double kFold = 0.01;
     for (const LatticeTriangle& triangle : surface) {
-        if (!frame.isBesideWall(triangle))
+        if (!frame.isBesideWall(triangle) || isOnFloor(frame, triangle))
             continue;
         const Corners corners = frame.top(triangle);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -130,6 +135,14 @@ std::vector<std::uint32_t> unsoundPoints(const SolidFrame& frame,
     }
     addEqual(std::move(vertices), points);
     return points;
+}
+
+/// `touching`: as for closeCutThrough().
+std::optional<TriangleMesh> closedWithWalls(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
+                                            std::vector<std::uint32_t>& touching,
+                                            const WorkContext& context) {
+    return touchesFloor(frame, surface) ? closeCutThrough(frame, std::move(surface), touching, context)
+                                        : closeAboveFloor(frame, std::move(surface), context);
 }
 
 /// Draws the walls around some points as they are without rims; false if there are none.
@@ -150,9 +163,6 @@ bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& poi
 
 std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                            double allowance, const WorkContext& context) {
-    // The floor would repeat the triangles of walls, where they have no area.
-    if (touchesFloor(SolidFrame(zmap), surface))
-        return std::nullopt;
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds; ++round) {
         const SolidFrame frame(zmap);
@@ -167,11 +177,14 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
         if (unsound.empty())
             unsound = unsoundPoints(frame, allowance > 0 ? simple : surface);
         if (unsound.empty() || context.stopped()) {
-            TriangleMesh solid = closed(frame, std::move(allowance > 0 ? simple : surface), context);
-            if (!context.stopped() && !isSoundInFloat(solid))
+            std::optional<TriangleMesh> solid =
+                closedWithWalls(frame, std::move(allowance > 0 ? simple : surface), unsound, context);
+            if (context.stopped())
+                return solid;
+            if (unsound.empty() ? !solid || !isSoundInFloat(*solid) : allowance == 0)
                 return std::nullopt;
-            if (allowance > 0 && !context.stopped())
-                unsound = pointsFarther(zmap, solid, CoordinateType::float32, allowance, context.stop);
+            if (unsound.empty() && allowance > 0)
+                unsound = pointsFarther(zmap, *solid, CoordinateType::float32, allowance, context.stop);
             if (unsound.empty() || context.stopped())
                 return solid;
         }

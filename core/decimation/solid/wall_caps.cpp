@@ -87,8 +87,10 @@ private:
             return std::nullopt;
         const auto isThird = [&](std::uint32_t vertex) { return vertex != a && vertex != c; };
         const std::uint32_t d = *std::ranges::find_if(m_surface[beyond->second], isThird);
-        if (m_triangleAt.contains(key(b, d)) || m_triangleAt.contains(key(d, b)) ||
-            m_flipped.contains(key(b, d)) || m_flipped.contains(key(d, b)))
+        if (m_frame.onOutline(b) && m_frame.onOutline(d))
+            return std::nullopt;
+        const bool exists = m_triangleAt.contains(key(b, d)) || m_triangleAt.contains(key(d, b));
+        if (exists || m_flipped.contains(key(b, d)) || m_flipped.contains(key(d, b)))
             return std::nullopt;
         return Side{a, b, c, d, beyond->second};
     }

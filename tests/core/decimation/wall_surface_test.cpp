@@ -123,14 +123,35 @@ TEST(WallSurface, WallsThatTheGridDoesNotResolveLeaveOthersWhereTheyStand) {
     EXPECT_GT(ofPocket, 60U);
 }
 
-TEST(WallSurface, PartsThatAreCutThroughHaveWallsAtPoints) {
-    const WalledMap map(walledRegions().front(), 0.37, -static_cast<double>(kWalledDepth));
-    DecimationParameters parameters;
-    parameters.allowance = 0.02;
-    ZMapSnapshot moment = map.moment();
-    SurfaceSnapshot surface = decimatedWhole(moment, parameters);
-    EXPECT_FALSE(closeWithWalls(moment, surface.triangles(), parameters.allowance));
-    EXPECT_EQ(whatIsWrong(closeSolid(moment, surface.triangles())), "");
+double volumeOf(const TriangleMesh& solid) {
+    double volume = 0;
+    for (const auto& [a, b, c] : solid.triangles)
+        volume += glm::dot(solid.vertices[a], glm::cross(solid.vertices[b], solid.vertices[c])) / 6;
+    return volume;
+}
+
+/// Openings and parts that are cut out, some of them across the border of the stock.
+TEST(WallSurface, PartsThatAreCutThroughHaveTheirWalls) {
+    for (const WalledRegion& region : walledRegions()) {
+        for (const double spacing : {1.0, 0.37}) {
+            SCOPED_TRACE(region.name + (region.floorInside ? ", opening, at " : ", part, at ") +
+                         std::to_string(spacing));
+            const WalledMap map(region, spacing, -static_cast<double>(kWalledDepth));
+            DecimationParameters parameters;
+            parameters.allowance = 0.02;
+            ZMapSnapshot moment = map.moment();
+            SurfaceSnapshot surface = decimatedWhole(moment, parameters);
+            const auto solid = closeWithWalls(moment, surface.triangles(), parameters.allowance);
+            ASSERT_TRUE(solid.has_value());
+            EXPECT_EQ(whatIsWrong(*solid), "");
+            EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
+            if (region.area > 0) {
+                const double left = region.floorInside ? kWalledSize * kWalledSize - region.area : region.area;
+                EXPECT_NEAR(volumeOf(*solid) / -static_cast<double>(kWalledDepth), left,
+                            region.areaAllowed * spacing * spacing + 0.02 * parameters.allowance * region.area);
+            }
+        }
+    }
 }
 
 } // namespace
