@@ -43,6 +43,8 @@ public:
             return m_isOnSlope ? std::optional(stays()) : std::nullopt;
         if (m_count == 1)
             return WallPlace{m_seen[0].crossing.at, m_seen[0].crossing.height, m_seen[0].crossing.normal};
+        if (m_count == 3)
+            return tip();
         if (m_count != 2 || m_seen[0].step.isOpposite(m_seen[1].step))
             return stays(); // walls on opposite sides: it cannot be on both
         const RimCrossing& a = m_seen[0].crossing;
@@ -52,6 +54,16 @@ public:
     }
 
 private:
+    /// Between walls on both sides: where the wall ahead of it stands.
+    [[nodiscard]] WallPlace tip() const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Seen& ahead = m_seen[k];
+            const auto faces = [&](const Seen& other) { return other.step.isOpposite(ahead.step); };
+            if (std::none_of(m_seen.begin(), m_seen.begin() + 3, faces))
+                return {ahead.crossing.at, ahead.crossing.height, ahead.crossing.normal};
+        }
+        return stays();
+    }
     /// It is beside a wall all the same.
     [[nodiscard]] WallPlace stays() const {
         return {Vec2(0), static_cast<double>(m_around.height(m_i, m_j))};

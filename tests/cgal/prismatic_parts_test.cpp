@@ -30,8 +30,10 @@ namespace {
 constexpr double kDepth = 4;
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kSpacing = 0.1;
-constexpr double kNear = 0.01;   ///< mm, faces and vertices
-constexpr double kCorner = 0.02; ///< mm, where two walls meet sharply
+constexpr double kNear = 0.01;    ///< mm, faces and vertices
+constexpr double kCorner = 0.02;  ///< mm, where two walls meet sharply
+constexpr double kFillet = 0.022; ///< mm, where a wall becomes round within a cell of 1 mm
+constexpr double kCone = 0.013;   ///< mm, between points of 0.5 mm on a cone
 const StockBox kStock{{0, 0, 0}, 30.03, 26.07, 8};
 const Vec2 kMiddle(15.137, 12.911);
 
@@ -190,6 +192,17 @@ std::vector<Part> parts() {
         {"disc that is cut out", {circle(3, 8)}, kNear, 0, kSpacing, true},
         {"tapered hole through", {slot(3, 0, 0)}, kNear, 3, kSpacing, true},
         {"crossing slots through", {slot(2.5, 20, 60), slot(2.5, 107, 60)}, kCorner, 0, kSpacing, true},
+        {"slot at 17 degrees, 0.5 mm", {slot(3, 17, 60)}, kNear, 0, 0.5},
+        {"pocket of 20, 0.5 mm", {circle(3, 7), circle(3, 2.5)}, kNear, 0, 0.5},
+        {"boss of 10, 0.5 mm", {circle(3, 8)}, kNear, 0, 0.5},
+        {"rectangle, 0.5 mm", rectangle("", 30).cuts, kNear, 0, 0.5},
+        {"tapered pocket, 0.5 mm", {circle(3, 7), circle(3, 2.5)}, kCone, 5, 0.5},
+        {"slot at 17 degrees, 1 mm", {slot(3, 17, 60)}, kNear, 0, 1},
+        {"pocket of 20, 1 mm", {circle(3, 7), circle(3, 2.5)}, kNear, 0, 1},
+        {"boss of 10, 1 mm", {circle(3, 8)}, kNear, 0, 1},
+        {"hole of 6, 1 mm", {slot(3, 0, 0)}, kNear, 0, 1},
+        {"rectangle, 1 mm", rectangle("", 30).cuts, kFillet, 0, 1},
+        {"tapered slot, 1 mm", {slot(3, 17, 60)}, kNear, 5, 1},
     };
 }
 
@@ -220,10 +233,10 @@ ZMapSnapshot cutOut(const Part& part) {
 }
 
 /// Whether it is so far inside of the stock that points beside walls may move.
-bool isInside(const Vec2& place) {
+bool isInside(const Part& part, const Vec2& place) {
     const Vec2 in = glm::min(place - Vec2(kStock.corner),
                              Vec2(kStock.width, kStock.depth) - (place - Vec2(kStock.corner)));
-    return std::min(in.x, in.y) > 2 * kSpacing;
+    return std::min(in.x, in.y) > 2 * part.spacing;
 }
 
 /// The largest distance of vertices, middles of edges and centres of faces from the part.
@@ -235,7 +248,7 @@ double farthestOfFaces(const Part& part, const TriangleMesh& solid) {
         const Vec3& b = solid.vertices[triangle[1]];
         const Vec3& c = solid.vertices[triangle[2]];
         for (const Vec3& point : {a, b, c, (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0, (a + b + c) / 3.0}) {
-            if (isInside(Vec2(point)) && point.z > underside)
+            if (isInside(part, Vec2(point)) && point.z > underside)
                 farthest = std::max(farthest, part.distance(point));
         }
     }
@@ -250,7 +263,7 @@ std::vector<Vec3> pointsOfWalls(const Part& part) {
             cut.addOutline(outline, up * part.wider());
         for (const Vec2& place : outline) {
             constexpr double kRounding = 1e-9;
-            if (part.distance(place) >= up * part.wider() - kRounding && isInside(place))
+            if (part.distance(place) >= up * part.wider() - kRounding && isInside(part, place))
                 points.emplace_back(place, (up - 1) * kDepth); // else another cut has taken it away
         }
     }

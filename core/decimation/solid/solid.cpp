@@ -40,6 +40,7 @@
 
 #include "core/decimation/solid/corners.h"
 #include "core/decimation/solid/level_folds.h"
+#include "core/decimation/solid/round_walls.h"
 #include "core/decimation/solid/solid_above_floor.h"
 #include "core/decimation/solid/solid_cut_through.h"
 #include "core/decimation/solid/solid_error.h"
@@ -51,6 +52,9 @@
 namespace proveout {
 
 namespace {
+
+/// How near walls come to what is round, mm, if there is no allowance.
+constexpr double kRoundness = 1e-3;
 
 bool touchesFloor(const SolidFrame& frame, const std::vector<LatticeTriangle>& surface) {
     return std::ranges::any_of(surface, [&frame](const LatticeTriangle& triangle) {
@@ -181,6 +185,8 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
                 closedWithWalls(frame, std::move(allowance > 0 ? simple : surface), unsound, context);
             if (context.stopped())
                 return solid;
+            if (solid)
+                roundWalls(frame, std::max(2 * kWallShare * allowance, kRoundness), *solid);
             if (unsound.empty() ? !solid || !isSoundInFloat(*solid) : allowance == 0)
                 return std::nullopt;
             if (unsound.empty() && allowance > 0)

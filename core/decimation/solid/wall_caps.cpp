@@ -110,7 +110,7 @@ private:
         if (isGood(corners)) {
             if (isOnWalls(m_surface[t]) && !isWallOrLevel(corners))
                 way = sideOfWall(t);
-            const bool leadsAcross = !way && isAcross(m_surface[t]);
+            const bool leadsAcross = !way && (isAcross(m_surface[t]) || isFin(m_surface[t]));
             if (leadsAcross)
                 way = sideOfCrease(t);
             if (!way && !leadsAcross)
@@ -161,11 +161,34 @@ private:
         return isAcrossCrease(m_frame.top(triangle), {uphill(0), uphill(1), uphill(2)}, m_cell);
     }
 
+    /// A wall that leads away from the walls: the points above and below a wall, which have met in plan, with
+    /// one far away.
+    [[nodiscard]] bool isFin(const LatticeTriangle& triangle) const {
+        constexpr double kUpright = 0.05;
+        const Corners corners = m_frame.top(triangle);
+        const Vec3 normal = normalOf(corners);
+        return !isOnWalls(triangle) && std::abs(normal.z) < kUpright * glm::length(normal) &&
+               hasFoot(corners);
+    }
+    /// Whether two corners of it are above each other.
+    [[nodiscard]] bool hasFoot(const Corners& corners) const {
+        constexpr double kNear = 0.01; // of a cell
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 side = corners[(k + 1) % 3] - corners[k];
+            if (glm::length(Vec2(side)) < kNear * m_cell && std::abs(side.z) > kNear * m_cell)
+                return true;
+        }
+        return false;
+    }
+
     [[nodiscard]] std::optional<Side> sideOfCrease(std::size_t t) const {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::optional<Side> way = side(t, k);
             const auto isRight = [&](const LatticeTriangle& triangle) {
-                return isGood(m_frame.top(triangle)) && !isAcross(triangle);
+                const Corners corners = m_frame.top(triangle);
+                if (isLevel(corners)) // if it is turned over, it can be unfolded
+                    return flatness(corners) > kNoArea * m_cell;
+                return isGood(corners) && !isAcross(triangle) && !isFin(triangle);
             };
             if (way && isRight({way->a, way->d, way->b}) && isRight({way->d, way->c, way->b}))
                 return way;
@@ -193,8 +216,10 @@ private:
         double least = kBesidePlane * m_cell;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::optional<Side> way = side(t, k);
-            if (!way || !isGood(m_frame.top({way->a, way->d, way->b})) ||
-                !isGood(m_frame.top({way->d, way->c, way->b})))
+            const auto isRight = [&](const LatticeTriangle& triangle) {
+                return isGood(m_frame.top(triangle)) && !isFin(triangle);
+            };
+            if (!way || !isRight({way->a, way->d, way->b}) || !isRight({way->d, way->c, way->b}))
                 continue;
             const double beside = besidePlane(*way);
             if (beside < least) {

@@ -146,9 +146,11 @@ TEST(WallSurface, PartsThatAreCutThroughHaveTheirWalls) {
             EXPECT_EQ(whatIsWrong(*solid), "");
             EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
             if (region.area > 0) {
-                const double left = region.floorInside ? kWalledSize * kWalledSize - region.area : region.area;
+                const double left =
+                    region.floorInside ? kWalledSize * kWalledSize - region.area : region.area;
                 EXPECT_NEAR(volumeOf(*solid) / -static_cast<double>(kWalledDepth), left,
-                            region.areaAllowed * spacing * spacing + 0.02 * parameters.allowance * region.area);
+                            region.areaAllowed * spacing * spacing +
+                                0.02 * parameters.allowance * region.area);
             }
         }
     }
