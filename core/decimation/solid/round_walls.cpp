@@ -284,7 +284,8 @@ private:
     [[nodiscard]] bool isSame(const Triangle& triangle, const Corners& part) const {
         const Vec3 whole = normalOf(corners(triangle));
         const Vec3 normal = normalOf(part);
-        return glm::dot(whole, normal) > kSameSide * glm::length(whole) * glm::length(normal);
+        return glm::dot(whole, normal) > kSameSide * glm::length(whole) * glm::length(normal) &&
+               isSoundInFloat(part);
     }
 
     double m_tolerance;

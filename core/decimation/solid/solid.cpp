@@ -70,15 +70,7 @@ TriangleMesh closed(const SolidFrame& frame, std::vector<LatticeTriangle> surfac
                                         : closeAboveFloor(frame, std::move(surface), context);
 }
 
-/// Whether a triangle keeps its side in single precision.
-bool isSoundInFloat(const Corners& exact) {
-    Corners rounded;
-    std::ranges::transform(exact, rounded.begin(),
-                           [](const Vec3& corner) { return roundedTo(CoordinateType::float32, corner); });
-    return glm::dot(normalOf(exact), normalOf(rounded)) > 0;
-}
-
-bool isSoundInFloat(const TriangleMesh& solid) {
+bool areAllSoundInFloat(const TriangleMesh& solid) {
     return std::ranges::all_of(solid.triangles, [&](const auto& triangle) {
         return isSoundInFloat(
             Corners{solid.vertices[triangle[0]], solid.vertices[triangle[1]], solid.vertices[triangle[2]]});
@@ -187,7 +179,7 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
                 return solid;
             if (solid)
                 roundWalls(frame, std::max(2 * kWallShare * allowance, kRoundness), *solid);
-            if (unsound.empty() ? !solid || !isSoundInFloat(*solid) : allowance == 0)
+            if (unsound.empty() ? !solid || !areAllSoundInFloat(*solid) : allowance == 0)
                 return std::nullopt;
             if (unsound.empty() && allowance > 0)
                 unsound = pointsFarther(zmap, *solid, CoordinateType::float32, allowance, context.stop);

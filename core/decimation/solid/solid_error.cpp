@@ -232,6 +232,13 @@ Vec3 roundedTo(CoordinateType type, const Vec3& point) {
                                            : Vec3(inFloat(point.x), inFloat(point.y), inFloat(point.z));
 }
 
+bool isSoundInFloat(const Corners& exact) {
+    Corners rounded;
+    std::ranges::transform(exact, rounded.begin(),
+                           [](const Vec3& corner) { return roundedTo(CoordinateType::float32, corner); });
+    return glm::dot(normalOf(exact), normalOf(rounded)) > 0;
+}
+
 double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, CoordinateType type,
                          ErrorLevel level, const WorkContext& context) {
     const SolidTop top(zmap, solid, type);

@@ -7,6 +7,7 @@
 
 #include "core/base/work_context.h"
 #include "core/decimation/regions/parameters.h"
+#include "core/decimation/solid/corners.h"
 #include "core/decimation/solid/solid.h"
 #include "core/zmap/zmap.h"
 
@@ -14,6 +15,9 @@ namespace proveout {
 
 /// A point as a file with such coordinates holds it.
 [[nodiscard]] Vec3 roundedTo(CoordinateType type, const Vec3& point);
+
+/// Whether a triangle keeps its side in single precision.
+[[nodiscard]] bool isSoundInFloat(const Corners& exact);
 
 /// How far the z-map is from the top of a solid, mm: the largest vertical distance of a grid point (at the
 /// surface level: of any point of the canonical full mesh) to the triangles that face upwards, with

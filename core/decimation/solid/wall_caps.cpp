@@ -26,6 +26,8 @@ constexpr double kCap = 0.2;
 /// How far from the plane of the triangle beyond a side a point may be that is given to it, as a fraction of
 /// a cell.
 constexpr double kBesidePlane = 0.2;
+/// A fold that may be left in place of a fin is flatter than this, as a fraction of a cell.
+constexpr double kLittleFold = 0.05;
 /// A flip may leave another triangle to flip beside it, as along a straight wall that many points are on.
 constexpr int kMostRounds = 64;
 
@@ -182,12 +184,14 @@ private:
     }
 
     [[nodiscard]] std::optional<Side> sideOfCrease(std::size_t t) const {
+        const bool isOfFin = isFin(m_surface[t]);
         for (std::size_t k = 0; k < 3; ++k) {
             const std::optional<Side> way = side(t, k);
             const auto isRight = [&](const LatticeTriangle& triangle) {
                 const Corners corners = m_frame.top(triangle);
-                if (isLevel(corners)) // if it is turned over, it can be unfolded
-                    return flatness(corners) > kNoArea * m_cell;
+                const double flat = flatness(corners) / m_cell;
+                if (isOfFin && isLevel(corners) && flat > kNoArea && flat < kLittleFold)
+                    return true; // if it is turned over, it can be unfolded
                 return isGood(corners) && !isAcross(triangle) && !isFin(triangle);
             };
             if (way && isRight({way->a, way->d, way->b}) && isRight({way->d, way->c, way->b}))
