@@ -132,6 +132,7 @@ private:
     [[nodiscard]] std::optional<std::vector<LatticeTriangle>>
     triangulated(const std::vector<std::uint32_t>& points, std::vector<PlanLoop> loops) const {
         std::vector<Vec2> places;
+        places.reserve(points.size());
         for (const std::uint32_t point : points)
             places.push_back(m_frame.plan(point));
         std::uint32_t next = 0; // the loops have the points in their order
@@ -142,6 +143,7 @@ private:
         if (!triangles)
             return std::nullopt;
         std::vector<LatticeTriangle> result;
+        result.reserve(triangles->size());
         for (const auto& [a, b, c] : *triangles)
             result.push_back({points[a], points[b], points[c]});
         return result;

@@ -39,7 +39,7 @@ public:
         if (!end)
             return false;
         PlanLoop turned = hole;
-        std::ranges::rotate(turned, turned.begin() + (right - hole.begin()));
+        std::rotate(turned.begin(), turned.begin() + (right - hole.begin()), turned.end());
         const Node first = add(turned);
         const Node last = m_previous[first];
         // … end, first, …, last, first again, end again, …

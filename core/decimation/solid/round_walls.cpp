@@ -78,6 +78,7 @@ private:
         double away;
         std::uint32_t from;
         std::uint32_t to;
+        // NOLINTNEXTLINE(modernize-use-nullptr): found in what the compiler generates
         friend auto operator<=>(const Candidate&, const Candidate&) = default;
     };
     [[nodiscard]] static Edge edge(std::uint32_t from, std::uint32_t to) {

@@ -55,10 +55,10 @@ private:
     }
     template<class Visit>
     void eachEdge(const Visit& visit) const {
-        for (std::uint32_t t = 0; t < m_solid.triangles.size(); ++t) {
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const std::uint32_t from = m_solid.triangles[t][k];
-                const std::uint32_t to = m_solid.triangles[t][(k + 1) % 3];
+        for (const LatticeTriangle& triangle : m_solid.triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t from = triangle[k];
+                const std::uint32_t to = triangle[(k + 1) % 3];
                 if (mayBeOutline(from) && mayBeOutline(to))
                     visit(from, to);
             }
@@ -111,6 +111,7 @@ private:
             }
         }
         std::vector<std::uint32_t> vertices;
+        vertices.reserve(around.size());
         for (const auto& [vertex, corners] : around)
             vertices.push_back(vertex);
         std::ranges::sort(vertices);
@@ -188,7 +189,7 @@ private:
             if (m_isOnFloor[vertex] || isCorner(vertex))
                 first = std::min(first, vertex);
         }
-        std::ranges::rotate(loop, std::ranges::find(loop, first));
+        std::rotate(loop.begin(), std::ranges::find(loop, first), loop.end());
         return loop;
     }
     [[nodiscard]] bool isCorner(std::uint32_t vertex) const {
@@ -261,6 +262,7 @@ private:
             return false;
         std::ranges::stable_sort(parts, {}, &Outline::area); // a hole is in the smallest that it is in
         std::vector<std::vector<PlanLoop>> polygons;
+        polygons.reserve(parts.size());
         for (const Outline& part : parts)
             polygons.push_back({*part.loop});
         for (const PlanLoop* hole : holes) {
