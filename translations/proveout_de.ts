@@ -8550,6 +8550,18 @@ Vorgabe: 0 mm</translation>
         <source>Choose a tool with longer flutes or a finer grid, or reduce holderClearance.</source>
         <translation>Wählen Sie ein Werkzeug mit längeren Schneiden oder ein feineres Gitter, oder verkleinern Sie holderClearance.</translation>
     </message>
+    <message>
+        <source>Walls at grid points</source>
+        <translation>Wände an Gitterpunkten</translation>
+    </message>
+    <message>
+        <source>{} of {} points beside walls are at points of the grid in the file, because the grid does not resolve the walls around them.</source>
+        <translation>{} von {} Punkten neben Wänden liegen in der Datei an Punkten des Gitters, weil das Gitter die Wände um sie herum nicht auflöst.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid.</source>
+        <translation>Ein feineres Gitter verwenden.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>

@@ -8550,6 +8550,18 @@ Default: 0 mm</source>
         <source>Choose a tool with longer flutes or a finer grid, or reduce holderClearance.</source>
         <translation>날이 더 긴 공구나 더 촘촘한 격자를 선택하거나, holderClearance를 줄이십시오.</translation>
     </message>
+    <message>
+        <source>Walls at grid points</source>
+        <translation>격자점에 놓인 벽</translation>
+    </message>
+    <message>
+        <source>{} of {} points beside walls are at points of the grid in the file, because the grid does not resolve the walls around them.</source>
+        <translation>파일에서 벽 옆의 점 {}개(전체 {}개)가 격자점에 놓입니다. 격자가 그 주변의 벽을 구분하지 못하기 때문입니다.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid.</source>
+        <translation>더 촘촘한 격자를 사용하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>

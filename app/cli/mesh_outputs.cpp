@@ -74,7 +74,8 @@ std::optional<std::vector<MeshOutput>> MeshOutputs::write(ZMapSnapshot& zmap, Su
     const DecimationParameters promised = allowance.promised();
     const ErrorLevel level = errorLevel(promised);
     const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
-    const auto close = [&]() -> std::optional<SolidForExport> {
+    const std::size_t wallPoints = zmap.walls().count();
+    const auto closeOnce = [&]() -> std::optional<SolidForExport> {
         if (!zmap.walls().empty()) {
             if (auto walled = closeWithWalls(zmap, surface.releaseTriangles(), ofWalls))
                 return SolidForExport(zmap, std::move(*walled), level);
@@ -83,6 +84,12 @@ std::optional<std::vector<MeshOutput>> MeshOutputs::write(ZMapSnapshot& zmap, Su
                 return std::nullopt;
         }
         return SolidForExport(zmap, closeSolid(zmap, surface.releaseTriangles()), level);
+    };
+    const auto close = [&] {
+        std::optional<SolidForExport> solid = closeOnce();
+        if (solid)
+            solid->setWallPoints(wallPoints);
+        return solid;
     };
     std::optional<SolidForExport> solid = close();
     while (solid && allowance.reduce(*solid)) {

@@ -33,6 +33,15 @@ inline constexpr FindingRow kExportSetApart{
     PROVEOUT_TEXT("Core", "The mesh deviates from the z-map by up to {} mm, more than the error allowance of "
                           "{} mm, where parts of the solid that touch at a steep wall are set apart."),
     PROVEOUT_TEXT("Core", "Make the stock slightly lower or higher, so that cuts do not end at its floor.")};
+inline constexpr FindingRow kExportWallsOnGrid{
+    Severity::note,
+    false,
+    "export-walls-on-grid",
+    PROVEOUT_TEXT("Core", "Walls at grid points"),
+    PROVEOUT_TEXT("Core",
+                  "{} of {} points beside walls are at points of the grid in the file, because the grid "
+                  "does not resolve the walls around them."),
+    PROVEOUT_TEXT("Core", "Use a finer grid.")};
 inline constexpr FindingRow kExportRoundingTooLarge{
     Severity::error,
     false,
@@ -99,9 +108,9 @@ inline constexpr FindingRow kStlCoordinate{
     PROVEOUT_TEXT("Core", "The vertex {}, {}, {} is out of the range of STL."),
     ""};
 
-inline constexpr std::array kExportRows{&kExportFormatUnknown,    &kExportRoundedBeyond, &kExportSetApart,
-                                        &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,
-                                        &kMeshCoordinate,         &kCancelledWriting,    &kStlTooCoarse,
-                                        &kStlTooManyTriangles,    &kStlCoordinate};
+inline constexpr std::array kExportRows{
+    &kExportFormatUnknown,    &kExportRoundedBeyond, &kExportSetApart,      &kExportWallsOnGrid,
+    &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,         &kMeshCoordinate,
+    &kCancelledWriting,       &kStlTooCoarse,        &kStlTooManyTriangles, &kStlCoordinate};
 
 } // namespace proveout::export_finding

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/solid_export.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <string>
 #include <utility>
 
 #include "core/base/figures_argument.h"
@@ -61,6 +63,10 @@ double SolidForExport::largestErrorMm(CoordinateType type, const WorkContext& co
     return error;
 }
 
+std::size_t SolidForExport::wallPointsOnGrid() const {
+    return m_wallPoints - std::min(m_zmap->walls().count(), m_wallPoints);
+}
+
 double SolidForExport::setApartErrorMm(const WorkContext& context) {
     return hasVerticesSetApart(*m_zmap, m_mesh) ? largestErrorMm(CoordinateType::float64, context) : 0;
 }
@@ -72,6 +78,10 @@ Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshF
     exported.largestErrorMm = solid.largestErrorMm(format.coordinates, context.part(0, kMeasured));
     if (!context.stopped())
         exported.warnings = warningsOf(solid, format.coordinates, promised, context.quiet());
+    if (solid.wallPointsOnGrid() > 0)
+        exported.warnings.push_back(
+            diagnosticOf(export_finding::kExportWallsOnGrid,
+                         {std::to_string(solid.wallPointsOnGrid()), std::to_string(solid.wallPoints())}));
     for (Diagnostic& warning : exported.warnings)
         warning.file = file.string();
     auto written = format.write(file, solid.mesh(), context.part(kMeasured, 1));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 
@@ -22,6 +23,11 @@ public:
     SolidForExport(const ZMapSnapshot& zmap, TriangleMesh mesh, ErrorLevel level);
 
     [[nodiscard]] const TriangleMesh& mesh() const { return m_mesh; }
+    /// How many points the map had beside walls before the solid was closed: closeWithWalls() may draw some
+    /// of them at the points of the grid.
+    void setWallPoints(std::size_t count) { m_wallPoints = count; }
+    [[nodiscard]] std::size_t wallPoints() const { return m_wallPoints; }
+    [[nodiscard]] std::size_t wallPointsOnGrid() const;
     /// measureSolidError(), mm. A stopped context returns early, with a part of the result.
     [[nodiscard]] double largestErrorMm(CoordinateType type, const WorkContext& context = {});
     /// The same in double precision if touching parts of the solid were set apart, else 0: what exceeds the
@@ -32,6 +38,7 @@ private:
     const ZMapSnapshot* m_zmap;
     TriangleMesh m_mesh;
     ErrorLevel m_level;
+    std::size_t m_wallPoints = 0;
     std::array<std::optional<double>, 2> m_errors; ///< by CoordinateType
 };
 
@@ -44,8 +51,9 @@ struct ExportedSolid {
 
 /// Writes a solid and measures the contents of the file. Warnings report that its error exceeds the allowance
 /// of `promised` (0: there is none) because of the rounding of coordinates (id "export-rounded-beyond"), or,
-/// if the method is bounded, because of parts that were set apart (id "export-set-apart"). Any thread.
-/// Errors: those of the writer, cancelled.
+/// if the method is bounded, because of parts that were set apart (id "export-set-apart"). A note reports
+/// walls that are at points of the grid (id "export-walls-on-grid"). Any thread. Errors: those of the writer,
+/// cancelled.
 [[nodiscard]] Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
                                                 SolidForExport& solid, const DecimationParameters& promised,
                                                 const WorkContext& context = {});

@@ -121,11 +121,13 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
         return tl::unexpected(std::move(writable.error()));
     FileAllowance allowance(parameters, coordinates, stock);
     ZMapSnapshot zmap = frame.zmap;
+    const std::size_t wallPoints = zmap.walls().count();
     Result<SolidForExport> solid = makeSolid(zmap, allowance, memory, context.part(0, kMade));
     if (!solid)
         return tl::unexpected(std::move(solid.error()));
     if (solid->mesh().triangles.empty())
         return failure(export_finding::kNothingLeft);
+    solid->setWallPoints(wallPoints);
     if (Result<void> fine = allowance.check(toPath(file), coordinates); !fine)
         return tl::unexpected(std::move(fine.error()));
     if (Result<void> unchanged = checkUnchanged(file, chosen); !unchanged)

@@ -229,6 +229,19 @@ TEST_F(FileAllowanceTest, PartsThatAreSetApartAreAWarningInEveryFormat) {
     EXPECT_STREQ(ply->warnings.front().id, "export-set-apart");
 }
 
+TEST_F(FileAllowanceTest, WallsAtPointsOfTheGridAreCounted) {
+    const ZMapSnapshot zmap = test::mapAt({0, 0, 0}, 1, 1, 0.05, [](int, int) { return -1.0; });
+    const DecimationParameters promised = promisedOf(0.05);
+    SolidForExport solid = solidOf(zmap, promised);
+    const auto plain = exportSolid(m_folder / "a.stl", *findFormat("stl")->meshWriter(), solid, promised);
+    EXPECT_TRUE(plain->warnings.empty());
+    solid.setWallPoints(12); // and the map has none left
+    const auto noted = exportSolid(m_folder / "a.stl", *findFormat("stl")->meshWriter(), solid, promised);
+    ASSERT_EQ(noted->warnings.size(), 1U);
+    EXPECT_STREQ(noted->warnings.front().id, "export-walls-on-grid");
+    EXPECT_EQ(message(noted->warnings.front()).substr(0, 28), "12 of 12 points beside walls");
+}
+
 TEST_F(FileAllowanceTest, TheProgressOfAllTriesRises) {
     const ZMapSnapshot zmap = test::waveAt(20'000.3, 5);
     FileAllowance allowance(promisedOf(0.05), CoordinateType::float32, zmap.stock());
