@@ -50,6 +50,14 @@ void ViewNotice::place() {
                 height);
 }
 
+/// The height of the text is known only once it has its font and width.
+bool ViewNotice::event(QEvent* event) {
+    const bool done = QFrame::event(event);
+    if (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest)
+        place();
+    return done;
+}
+
 bool ViewNotice::eventFilter(QObject* watched, QEvent* event) {
     if (watched == parentWidget() && event->type() == QEvent::Resize)
         place();

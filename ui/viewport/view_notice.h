@@ -22,6 +22,7 @@ protected:
     [[nodiscard]] QHBoxLayout& buttonRow() { return *m_buttons; }
     void showText(const QString& iconName, const QString& text);
     void place();
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

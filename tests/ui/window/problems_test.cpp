@@ -172,6 +172,9 @@ private slots:
         QVERIFY(notice != nullptr && notice->isVisible());
         const QString said = notice->findChild<QLabel*>(QStringLiteral("noticeText"))->text();
         QVERIFY2(said.contains(QLatin1String("Siemens Sinumerik")), qPrintable(said));
+        const auto* text = notice->findChild<QLabel*>(QStringLiteral("noticeText"));
+        QTRY_VERIFY2_WITH_TIMEOUT(text->height() >= text->heightForWidth(text->width()), "it is cut off",
+                                  kPatience);
         // No stock is shown for an unsupported text, neither now nor when the user tries to play it.
         station.window.action(QStringLiteral("play"))->trigger();
         station.window.action(QStringLiteral("to-end"))->trigger();
