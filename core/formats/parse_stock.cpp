@@ -15,7 +15,7 @@ namespace proveout {
 
 namespace {
 
-struct Assignment {
+struct KeyAndValue {
     const StockField* field;
     std::string value;
 };
@@ -40,8 +40,8 @@ tl::unexpected<Diagnostics> unknownKey(const StockShapeRow& row, std::string_vie
 }
 
 /// A part that does not begin with a key belongs to the file name before it, which contained a comma.
-Result<std::vector<Assignment>> split(const StockShapeRow& row, std::string_view text) {
-    std::vector<Assignment> out;
+Result<std::vector<KeyAndValue>> split(const StockShapeRow& row, std::string_view text) {
+    std::vector<KeyAndValue> out;
     while (!text.empty()) {
         const auto comma = text.find(',');
         const std::string_view part = text.substr(0, comma);
@@ -84,7 +84,7 @@ Result<void> readChoice(const StockField& field, const StockChoice& choice, std:
     return {};
 }
 
-Result<void> read(const Assignment& assignment, StockSpec& spec) {
+Result<void> read(const KeyAndValue& assignment, StockSpec& spec) {
     const StockField& field = *assignment.field;
     if (const auto* length = std::get_if<StockLength>(&field.value))
         return readLength(field, *length, assignment.value, spec);
@@ -103,7 +103,7 @@ Result<StockSpec> parseShape(const StockShapeRow& row, std::string_view text) {
     if (!assignments)
         return tl::unexpected(assignments.error());
     std::set<const StockField*> given;
-    for (const Assignment& assignment : *assignments) {
+    for (const KeyAndValue& assignment : *assignments) {
         if (!given.insert(assignment.field).second)
             return failure(stock_finding::kStockKeyTwice, {assignment.field->key});
         if (auto fine = read(assignment, spec); !fine)

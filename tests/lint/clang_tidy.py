@@ -160,7 +160,7 @@ class Check:
         """The sources that compile as one unit. Runs a single check, because the others take most of the time."""
         while sources:
             _, output = self.unit(sources, unit, arguments, "--checks=-*,modernize-use-nullptr")
-            clashing = self.named(sources, output, "clang-diagnostic-error")
+            clashing = self.named(sources, output, "clang-diagnostic-error") or self.hiding(sources, output)
             if not clashing:
                 break
             sources = [source for source in sources if source not in clashing]
@@ -174,6 +174,12 @@ class Check:
 
     def named(self, sources, output, check=r"[\w.-]+"):
         places = re.findall(rf"^([^:\n]+):\d+:\d+: error: .*\[{check}[\],]", output, re.MULTILINE)
+        files = {os.path.relpath(path, ROOT) for path in places}
+        return [source for source in sources if source in files]
+
+    def hiding(self, sources, output):
+        """Those with a name that hides that of a header: the error is in the header, its notes lead to the source."""
+        places = re.findall(r"^([^:\n]+):\d+:\d+: note: ", output, re.MULTILINE)
         files = {os.path.relpath(path, ROOT) for path in places}
         return [source for source in sources if source in files]
 

@@ -50,9 +50,9 @@ Area areaOf(const EdgeLine& line) {
 }
 
 /// The exact surface near one edge.
-class Surface {
+class ExactSurface {
 public:
-    Surface(const ZMapSnapshot& zmap, const StockTop* uncut)
+    ExactSurface(const ZMapSnapshot& zmap, const StockTop* uncut)
         : m_floor(-zmap.stock().height), m_uncut(uncut) {}
 
     /// The lowest one first.
@@ -95,7 +95,7 @@ double besideWall(const EdgeLine& line) {
 
 /// A crossing is never late, but may be early by some nanometres across the wall, which is more along an edge
 /// that meets it at a small angle: moves it to where the surface is below the line just after it.
-double settled(const Surface& surface, const EdgeLine& line, double place, double beside) {
+double settled(const ExactSurface& surface, const EdgeLine& line, double place, double beside) {
     const auto below = [&](double at) { return surface.height(line.at(at)) < line.heightAt(at); };
     const double latest = place + 1e-2 * line.length;
     double above = place;
@@ -116,19 +116,19 @@ double settled(const Surface& surface, const EdgeLine& line, double place, doubl
 }
 
 /// One side of a wall on a line.
-struct Side {
+struct WallSide {
     double place; ///< mm from the high end
     double height;
 };
 
 /// The wall on an edge: what is known of it.
 struct WallOnEdge {
-    std::optional<Side> high;
-    std::optional<Side> low;
+    std::optional<WallSide> high;
+    std::optional<WallSide> low;
 };
 
 /// The wall where the surface jumps.
-WallOnEdge jumpOn(const FallingEdge& edge, const EdgeLine& line, const Surface& surface, double place,
+WallOnEdge jumpOn(const FallingEdge& edge, const EdgeLine& line, const ExactSurface& surface, double place,
                   RimEdges wanted) {
     const double beside = besideWall(line);
     const double top = place > beside ? surface.height(line.at(place - beside)) : edge.high;
@@ -139,12 +139,12 @@ WallOnEdge jumpOn(const FallingEdge& edge, const EdgeLine& line, const Surface& 
     if (!(top - atWall > kLeastWall * line.length))
         return {};
     const double below = wanted == RimEdges::all ? atWall : bottom(kPasses * line.length);
-    return {Side{place, top}, Side{place, below}};
+    return {WallSide{place, top}, WallSide{place, below}};
 }
 
 /// Between `above`, where the surface is above a height, and `below`, where it is not, the place where it
 /// comes down to it.
-double placeOfHeight(const Surface& surface, const EdgeLine& line, double height, double above,
+double placeOfHeight(const ExactSurface& surface, const EdgeLine& line, double height, double above,
                      double below) {
     for (int k = 0; k < kHalvings; ++k) {
         const double middle = (above + below) / 2;
@@ -154,7 +154,7 @@ double placeOfHeight(const Surface& surface, const EdgeLine& line, double height
 }
 
 /// The direction in which the slope of a wall rises, over ground, a little beyond its creases.
-Vec2 uphill(const Surface& surface, const EdgeLine& line, const WallOnEdge& wall) {
+Vec2 uphill(const ExactSurface& surface, const EdgeLine& line, const WallOnEdge& wall) {
     const double inside = line.length / 64;
     const double step = line.length / 4096;
     const Vec2 place = line.at(wall.high ? wall.high->place + inside : wall.low->place - inside);
@@ -167,7 +167,7 @@ Vec2 uphill(const Surface& surface, const EdgeLine& line, const WallOnEdge& wall
 }
 
 /// Adds the creases where a slope begins at a level and ends at one.
-void addCreases(const FallingEdge& edge, const EdgeLine& line, const Surface& surface, double below,
+void addCreases(const FallingEdge& edge, const EdgeLine& line, const ExactSurface& surface, double below,
                 WallOnEdge& wall) {
     const double near = kCrease * line.length;
     const bool opensAbove = !wall.high || edge.high - wall.high->height > near;
@@ -185,7 +185,7 @@ std::uint16_t inUnits(double place, const FallingEdge& edge, double length) {
     return static_cast<std::uint16_t>(std::clamp(std::round(part * 65536), 0.0, 65535.0));
 }
 
-std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Surface& surface,
+std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const ExactSurface& surface,
                          RimEdges wanted) {
     WallOnEdge wall;
     EdgeCrossing crossing;
@@ -201,7 +201,7 @@ std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Su
         addCreases(edge, line, surface, below, wall);
     if (!wall.high && !wall.low)
         return std::nullopt;
-    const Side& known = wall.high ? *wall.high : *wall.low;
+    const WallSide& known = wall.high ? *wall.high : *wall.low;
     const Vec2 normal = crossing.found() ? crossing.outwards : uphill(surface, line, wall);
     Rim rim{};
     rim.edge = edge.edge.index();
@@ -282,7 +282,7 @@ public:
     }
 
     /// Makes `surface` that of an edge.
-    void select(const RimEdge& edge, const Area& area, Surface& surface) {
+    void select(const RimEdge& edge, const Area& area, ExactSurface& surface) {
         Square& square = m_squares[static_cast<std::size_t>(edge.j / kPoints * kSquares + edge.i / kPoints)];
         if (!square.collected)
             collect(square, m_tile.i0 + edge.i / kPoints * kPoints, m_tile.j0 + edge.j / kPoints * kPoints);
@@ -328,7 +328,7 @@ RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop
         return nullptr;
     const IndexRect rect = zmap.tileRect(tile);
     SweepsOfTile sweeps(zmap, rect, motions);
-    Surface surface(zmap, uncut);
+    ExactSurface surface(zmap, uncut);
     RimTile rims;
     for (const FallingEdge& edge : edges) {
         if (stop.stop_requested())

@@ -69,7 +69,7 @@ bool GreedyInsertion::refineEdges(const RegionPatch& patch, float limit, Lattice
             if (other == LatticeTriangulation::kNone ||
                 (mesh.triangle(LatticeTriangulation::triangleOf(other)).state & kOnEdges) != 0)
                 continue;
-            const EdgeCrossing crossing =
+            const SurfaceCrossing crossing =
                 farthestCrossing(patch, mesh.vertex(mesh.origin(edge)),
                                  mesh.vertex(mesh.origin(LatticeTriangulation::next(edge))));
             if (crossing.distance <= limit)
@@ -86,8 +86,9 @@ bool GreedyInsertion::refineEdges(const RegionPatch& patch, float limit, Lattice
 
 /// One end of the crossed edge is not a vertex yet: if both were, a unit edge would be Delaunay, and the
 /// diagonal of a cell is chosen to be canonical.
-void GreedyInsertion::insertAtCrossing(const RegionPatch& patch, std::int32_t t, const EdgeCrossing& crossing,
-                                       float limit, LatticeTriangulation& mesh) {
+void GreedyInsertion::insertAtCrossing(const RegionPatch& patch, std::int32_t t,
+                                       const SurfaceCrossing& crossing, float limit,
+                                       LatticeTriangulation& mesh) {
     const auto isInside = [&](std::int32_t i, std::int32_t j) {
         return i > 0 && j > 0 && i < patch.width() - 1 && j < patch.height() - 1;
     };

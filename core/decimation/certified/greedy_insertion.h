@@ -28,8 +28,8 @@ private:
     bool refineSamples(const RegionPatch& patch, float limit, LatticeTriangulation& mesh,
                        const std::stop_token& stop);
     bool refineEdges(const RegionPatch& patch, float limit, LatticeTriangulation& mesh);
-    void insertAtCrossing(const RegionPatch& patch, std::int32_t t, const EdgeCrossing& crossing, float limit,
-                          LatticeTriangulation& mesh);
+    void insertAtCrossing(const RegionPatch& patch, std::int32_t t, const SurfaceCrossing& crossing,
+                          float limit, LatticeTriangulation& mesh);
     void insertExtra(const RegionPatch& patch, std::int32_t t, std::int32_t i, std::int32_t j, float limit,
                      LatticeTriangulation& mesh);
     std::int32_t insertPoint(const RegionPatch& patch, std::int32_t t, std::int32_t i, std::int32_t j,

@@ -77,7 +77,7 @@ template<class Visit>
 
 } // namespace
 
-EdgeCrossing farthestCrossing(const RegionPatch& patch, const PatchVertex& a, const PatchVertex& b) {
+SurfaceCrossing farthestCrossing(const RegionPatch& patch, const PatchVertex& a, const PatchVertex& b) {
     double largest = 0;
     Family crossed{};
     std::int32_t line = 0;
@@ -93,7 +93,7 @@ EdgeCrossing farthestCrossing(const RegionPatch& patch, const PatchVertex& a, co
     });
     if (largest == 0)
         return {};
-    EdgeCrossing found;
+    SurfaceCrossing found;
     found.distance = static_cast<float>(largest + patch.guard(largest));
     const auto below = static_cast<std::int32_t>(where);
     const bool isLowNearer = where - below < 0.5;

@@ -9,7 +9,7 @@ namespace proveout {
 
 /// A place where an edge crosses an edge of the canonical mesh, and the vertical distance there, mm, rounding
 /// included.
-struct EdgeCrossing {
+struct SurfaceCrossing {
     float distance = 0;
     std::int32_t nearI = 0; ///< the end of the crossed edge that is nearer to the crossing, and the other
     std::int32_t nearJ = 0;
@@ -19,8 +19,8 @@ struct EdgeCrossing {
 
 /// The crossing with the largest distance; distance 0 if there is none. Swapping the ends of the edge does
 /// not change the result.
-[[nodiscard]] EdgeCrossing farthestCrossing(const RegionPatch& patch, const PatchVertex& a,
-                                            const PatchVertex& b);
+[[nodiscard]] SurfaceCrossing farthestCrossing(const RegionPatch& patch, const PatchVertex& a,
+                                               const PatchVertex& b);
 
 /// Whether all crossings are within `limit`.
 [[nodiscard]] bool crossingsWithin(const RegionPatch& patch, const PatchVertex& a, const PatchVertex& b,
