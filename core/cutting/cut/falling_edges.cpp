@@ -69,7 +69,7 @@ struct Wanted {
     Wanted(RimEdges edges, double spacing)
         : least(static_cast<float>(kWallSlope * spacing)),
           most(edges == RimEdges::all ? std::numeric_limits<float>::infinity() : least),
-          level(edges == RimEdges::all ? -1.0F : static_cast<float>(kLevelSlope * spacing)) {}
+          level(edges != RimEdges::atLevels ? -1.0F : static_cast<float>(kLevelSlope * spacing)) {}
 };
 
 /// Falls at levels count so many times as much.

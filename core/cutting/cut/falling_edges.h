@@ -21,8 +21,8 @@ inline constexpr double kLevelSlope = 1.0 / 1024;
 inline constexpr double kCreaseSlope = kWallSlope / 8;
 
 /// Which of these edges are looked at: all, or only those between parts of the surface that are nearly level,
-/// and those from or to a level, which cost less to find on slopes.
-enum class RimEdges : std::uint8_t { all, atLevels };
+/// which cost less to find on slopes, or these and those from or to a level.
+enum class RimEdges : std::uint8_t { all, betweenLevels, atLevels };
 
 struct FallingEdge {
     RimEdge edge;

@@ -180,6 +180,13 @@ void addCreases(const FallingEdge& edge, const EdgeLine& line, const ExactSurfac
             edge.low};
 }
 
+/// Whether the surface is nearly as high at both ends of an edge as beside the wall.
+bool isBetweenLevels(const FallingEdge& edge, const WallOnEdge& wall, double length) {
+    constexpr double kLevel = 0.1; // of the edge
+    return std::abs(wall.high->height - edge.high) <= kLevel * length &&
+           std::abs(wall.low->height - edge.low) <= kLevel * length;
+}
+
 std::uint16_t inUnits(double place, const FallingEdge& edge, double length) {
     const double part = edge.reversed ? 1 - place / length : place / length;
     return static_cast<std::uint16_t>(std::clamp(std::round(part * 65536), 0.0, 65535.0));
@@ -200,6 +207,8 @@ std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Ex
     if (wanted == RimEdges::atLevels)
         addCreases(edge, line, surface, below, wall);
     if (!wall.high && !wall.low)
+        return std::nullopt;
+    if (wanted == RimEdges::betweenLevels && !isBetweenLevels(edge, wall, line.length))
         return std::nullopt;
     const WallSide& known = wall.high ? *wall.high : *wall.low;
     const Vec2 normal = crossing.found() ? crossing.outwards : uphill(surface, line, wall);
