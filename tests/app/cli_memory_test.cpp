@@ -17,7 +17,7 @@ namespace proveout {
 namespace {
 
 /// Memory of the program with its libraries, independent of the size of the map.
-constexpr double kProgram = 12e6;
+constexpr double kProgram = 13e6;
 
 class CliMemory : public CommandLine {
 protected:

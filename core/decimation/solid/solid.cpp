@@ -157,6 +157,10 @@ bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& poi
 
 } // namespace
 
+bool comesDownToFloor(const ZMapSnapshot& zmap, const std::vector<LatticeTriangle>& surface) {
+    return touchesFloor(SolidFrame(zmap), surface);
+}
+
 std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                            double allowance, const WorkContext& context) {
     constexpr int kMostRounds = 8;

@@ -34,6 +34,9 @@ inline constexpr double kPinchGap = 1e-4;
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                       const WorkContext& context = {});
 
+/// Whether a surface touches the floor of its stock.
+[[nodiscard]] bool comesDownToFloor(const ZMapSnapshot& zmap, const std::vector<LatticeTriangle>& surface);
+
 /// The same with walls where they stand, if `zmap` has them and `surface` has their points. `allowance`: mm,
 /// that of the surface, by which walls are simplified as well; 0: they keep all their points. Where other
 /// walls are so near that the grid does not resolve them, so that the solid would be farther from points of
