@@ -45,7 +45,7 @@ void ViewNotice::showText(const QString& iconName, const QString& text) {
 
 void ViewNotice::place() {
     const int width = std::min(kWidest, parentWidget()->width() - 2 * kMargin);
-    const int height = layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height();
+    const int height = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
     setGeometry((parentWidget()->width() - width) / 2, parentWidget()->height() - height - kMargin, width,
                 height);
 }
