@@ -24,9 +24,10 @@ namespace proveout {
 ///
 /// On each edge that falls more steeply than the one before it (falling_edges.h), the surface first falls
 /// below a line a little lower than the continuation of the plateau at the edge's high end; that place is a
-/// rim if the surface falls by a jump there. At levels, the wall includes what follows within a 64th of the
-/// edge: passes at several depths make one wall. There, the creases where a tapered wall or any other slope
-/// leaves a level, or comes down to one, are rims too, each with the side that is level.
+/// rim if the surface falls by a jump there. Between levels, the wall includes what follows within a 64th of
+/// the edge: passes at several depths make one wall. With RimEdges::atLevels, the creases where a tapered
+/// wall or any other slope leaves a level, or comes down to one, are rims too, each with the side that is
+/// level.
 [[nodiscard]] RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
                                     std::span<const CutterMotion> motions, const std::stop_token& stop = {},
                                     RimEdges wanted = RimEdges::all);
