@@ -8555,12 +8555,12 @@ Vorgabe: 0 mm</translation>
         <translation>Wände an Gitterpunkten</translation>
     </message>
     <message>
-        <source>{} of {} points beside walls are at points of the grid in the file, because the grid does not resolve the walls around them.</source>
-        <translation>{} von {} Punkten neben Wänden liegen in der Datei an Punkten des Gitters, weil das Gitter die Wände um sie herum nicht auflöst.</translation>
+        <source>{} of {} points beside walls are at points of the grid in the file: the grid does not resolve the walls around them, or the part is cut through.</source>
+        <translation>{} von {} Punkten neben Wänden liegen in der Datei an Punkten des Gitters: Das Gitter löst die Wände um sie herum nicht auf, oder das Teil ist durchgefräst.</translation>
     </message>
     <message>
-        <source>Use a finer grid.</source>
-        <translation>Ein feineres Gitter verwenden.</translation>
+        <source>Use a finer grid for walls that are close together.</source>
+        <translation>Für Wände, die nahe beieinander stehen, ein feineres Gitter verwenden.</translation>
     </message>
 </context>
 <context>

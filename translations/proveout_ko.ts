@@ -8555,12 +8555,12 @@ Default: 0 mm</source>
         <translation>격자점에 놓인 벽</translation>
     </message>
     <message>
-        <source>{} of {} points beside walls are at points of the grid in the file, because the grid does not resolve the walls around them.</source>
-        <translation>파일에서 벽 옆의 점 {}개(전체 {}개)가 격자점에 놓입니다. 격자가 그 주변의 벽을 구분하지 못하기 때문입니다.</translation>
+        <source>{} of {} points beside walls are at points of the grid in the file: the grid does not resolve the walls around them, or the part is cut through.</source>
+        <translation>파일에서 벽 옆의 점 {}개(전체 {}개)가 격자점에 놓입니다. 격자가 그 주변의 벽을 구분하지 못하거나 부품이 관통 절삭되었기 때문입니다.</translation>
     </message>
     <message>
-        <source>Use a finer grid.</source>
-        <translation>더 촘촘한 격자를 사용하십시오.</translation>
+        <source>Use a finer grid for walls that are close together.</source>
+        <translation>서로 가까운 벽에는 더 촘촘한 격자를 사용하십시오.</translation>
     </message>
 </context>
 <context>

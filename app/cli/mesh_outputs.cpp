@@ -74,14 +74,10 @@ std::optional<std::vector<MeshOutput>> MeshOutputs::write(ZMapSnapshot& zmap, Su
     const DecimationParameters promised = allowance.promised();
     const ErrorLevel level = errorLevel(promised);
     const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
-    std::size_t wallPoints = zmap.walls().count();
+    const std::size_t wallPoints = zmap.walls().count();
     const auto closeOnce = [&]() -> std::optional<SolidForExport> {
         if (!zmap.walls().empty()) {
-            std::vector<LatticeTriangle> triangles = surface.releaseTriangles();
-            if (comesDownToFloor(zmap,
-                                 triangles)) // its walls lean by parts of a cell: no stock for the next setup
-                wallPoints = 0;
-            else if (auto walled = closeWithWalls(zmap, std::move(triangles), ofWalls))
+            if (auto walled = closeWithWalls(zmap, surface.releaseTriangles(), ofWalls))
                 return SolidForExport(zmap, std::move(*walled), level);
             zmap.setWalls({}); // and then their points are not needed
             if (!makeAgain(allowance.parameters()))

@@ -39,9 +39,9 @@ inline constexpr FindingRow kExportWallsOnGrid{
     "export-walls-on-grid",
     PROVEOUT_TEXT("Core", "Walls at grid points"),
     PROVEOUT_TEXT("Core",
-                  "{} of {} points beside walls are at points of the grid in the file, because the grid "
-                  "does not resolve the walls around them."),
-    PROVEOUT_TEXT("Core", "Use a finer grid.")};
+                  "{} of {} points beside walls are at points of the grid in the file: the grid does not "
+                  "resolve the walls around them, or the part is cut through."),
+    PROVEOUT_TEXT("Core", "Use a finer grid for walls that are close together.")};
 inline constexpr FindingRow kExportRoundingTooLarge{
     Severity::error,
     false,

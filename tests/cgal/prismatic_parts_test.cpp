@@ -278,7 +278,8 @@ TEST(PrismaticParts, AreInFilesAsTheyWereCut) {
         parameters.allowance = 0.01;
         SurfaceSnapshot surface = decimatedWhole(moment, parameters);
         const std::size_t walls = moment.walls().count();
-        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance);
+        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance, {},
+                                          CutThroughWalls::drawn);
         ASSERT_TRUE(solid.has_value());
         EXPECT_EQ(moment.walls().count(), walls);
         EXPECT_EQ(whatIsWrong(*solid), "");
@@ -321,7 +322,8 @@ TEST(PrismaticParts, OfRandomCutsAreSound) {
         DecimationParameters parameters;
         parameters.allowance = uniform(random, 0.002, 0.05);
         SurfaceSnapshot surface = decimatedWhole(moment, parameters);
-        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance);
+        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance, {},
+                                          CutThroughWalls::drawn);
         if (!solid)
             continue;
         ++walled;

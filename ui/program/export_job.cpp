@@ -83,9 +83,6 @@ Result<SolidForExport> makeSolid(ZMapSnapshot& zmap, FileAllowance& allowance, c
         TriangleMesh mesh;
         if (zmap.walls().empty()) {
             mesh = closeSolid(zmap, std::move(triangles), closing);
-        } else if (comesDownToFloor(zmap, triangles)) { // as in the command line
-            zmap.setWalls({});
-            continue;
         } else if (auto walled = closeWithWalls(zmap, std::move(triangles), ofWalls, closing)) {
             mesh = std::move(*walled);
         } else {

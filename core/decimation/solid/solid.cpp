@@ -157,12 +157,12 @@ bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& poi
 
 } // namespace
 
-bool comesDownToFloor(const ZMapSnapshot& zmap, const std::vector<LatticeTriangle>& surface) {
-    return touchesFloor(SolidFrame(zmap), surface);
-}
-
 std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                                           double allowance, const WorkContext& context) {
+                                           double allowance, const WorkContext& context,
+                                           CutThroughWalls cutThrough) {
+    // A file may be the stock of the next setup, for which a wall that leans is an undercut.
+    if (cutThrough == CutThroughWalls::atPoints && touchesFloor(SolidFrame(zmap), surface))
+        return std::nullopt;
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds; ++round) {
         const SolidFrame frame(zmap);

@@ -141,8 +141,11 @@ TEST(WallSurface, PartsThatAreCutThroughHaveTheirWalls) {
             parameters.allowance = 0.02;
             ZMapSnapshot moment = map.moment();
             SurfaceSnapshot surface = decimatedWhole(moment, parameters);
-            const auto solid = closeWithWalls(moment, surface.triangles(), parameters.allowance);
+            const auto solid =
+                closeWithWalls(moment, surface.triangles(), parameters.allowance, {}, CutThroughWalls::drawn);
             ASSERT_TRUE(solid.has_value());
+            EXPECT_FALSE(closeWithWalls(moment, surface.triangles(), parameters.allowance))
+                << "not asked for";
             EXPECT_EQ(whatIsWrong(*solid), "");
             EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
             if (region.area > 0) {
