@@ -15,6 +15,7 @@
 
 #include "core/zmap/grid_part.h"
 #include "core/zmap/stock_body_findings.h"
+#include "core/zmap/stock_facet.h"
 #include "core/zmap/stock_findings.h"
 #include "core/zmap/zmap_findings.h"
 
@@ -22,109 +23,17 @@ namespace proveout {
 
 namespace {
 
-/// A point this near to a triangle in plan, in mm, counts as on its rim: coordinates of a grid are rounded.
-constexpr double kOnRim = 1e-6;
 constexpr double kFarthest = 1e7;
 /// The largest average number of facets above one another; each facet costs time at every point of the grid
 /// that it covers.
 constexpr double kMostLayers = 200;
 constexpr double kAbsent = -1e30;
-/// Crossings are searched for slightly beside the point, by these offsets in mm, so that an edge through the
+/// Crossings are searched for slightly beside the point, by this offset in mm, so that an edge through the
 /// point cannot make the result ambiguous.
-constexpr double kAsideX = 0.71e-7;
-constexpr double kAsideY = 1.13e-7;
-
-using Corners = std::array<Vec3, 3>;
-
-/// Twice the area in plan; above 0 if the triangle faces up.
-double areaInPlan(const Corners& c) {
-    return (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
-}
-
-/// Where a horizontal line crosses the edge: the result is the same for both triangles of the edge.
-double crossing(const Vec3& a, const Vec3& b, double y) {
-    const bool ordered = a.y < b.y || (a.y == b.y && a.x < b.x);
-    const Vec3& low = ordered ? a : b;
-    const Vec3& high = ordered ? b : a;
-    return std::lerp(low.x, high.x, (y - low.y) / (high.y - low.y));
-}
-
-struct Range {
-    double from = std::numeric_limits<double>::infinity();
-    double to = -std::numeric_limits<double>::infinity();
-
-    void add(double x) {
-        from = std::min(from, x);
-        to = std::max(to, x);
-    }
-};
-
-/// One triangle over the rows of the grid.
-class Facet {
-public:
-    explicit Facet(const Corners& corners)
-        : m_corners(corners), m_area(areaInPlan(corners)),
-          m_lowest(std::min({corners[0].z, corners[1].z, corners[2].z})),
-          m_highest(std::max({corners[0].z, corners[1].z, corners[2].z})) {
-        if (m_area == 0)
-            return;
-        const Vec3 u = corners[1] - corners[0];
-        const Vec3 v = corners[2] - corners[0];
-        m_slope = {(u.z * v.y - v.z * u.y) / m_area, (v.z * u.x - u.z * v.x) / m_area};
-    }
-
-    /// Whether the triangle is vertical. Such a triangle is not part of the upper or lower surface; the
-    /// triangles at its edges are.
-    [[nodiscard]] bool isUpright() const { return m_area == 0; }
-    [[nodiscard]] bool looksUp() const { return m_area > 0; }
-    [[nodiscard]] double leastX() const { return std::min({m_corners[0].x, m_corners[1].x, m_corners[2].x}); }
-    [[nodiscard]] double largestX() const {
-        return std::max({m_corners[0].x, m_corners[1].x, m_corners[2].x});
-    }
-    [[nodiscard]] double lowestY() const {
-        return std::min({m_corners[0].y, m_corners[1].y, m_corners[2].y});
-    }
-    [[nodiscard]] double highestY() const {
-        return std::max({m_corners[0].y, m_corners[1].y, m_corners[2].y});
-    }
-
-    [[nodiscard]] double heightAt(double x, double y) const {
-        const double z = m_corners[0].z + m_slope.x * (x - m_corners[0].x) + m_slope.y * (y - m_corners[0].y);
-        return std::clamp(z, m_lowest, m_highest);
-    }
-    /// The part of a horizontal line that the triangle covers, including its rim.
-    [[nodiscard]] Range covered(double y) const {
-        Range range;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& a = m_corners[k];
-            const Vec3& b = m_corners[(k + 1) % 3];
-            if (std::abs(a.y - y) <= kOnRim)
-                range.add(a.x);
-            if (std::min(a.y, b.y) < y && y < std::max(a.y, b.y))
-                range.add(crossing(a, b, y));
-        }
-        return range;
-    }
-    /// The part of a horizontal line that belongs to this triangle alone: from the first end on, without the
-    /// second.
-    [[nodiscard]] Range owned(double y) const {
-        Range range;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& a = m_corners[k];
-            const Vec3& b = m_corners[(k + 1) % 3];
-            if (std::min(a.y, b.y) <= y && y < std::max(a.y, b.y))
-                range.add(crossing(a, b, y));
-        }
-        return range;
-    }
-
-private:
-    Corners m_corners;
-    double m_area;
-    double m_lowest;
-    double m_highest;
-    Vec2 m_slope{0};
-};
+constexpr Vec2 kAside(0.71e-7, 1.13e-7);
+/// Air that does not reach as far as this part of a cell beside a point is none: a wall through the point
+/// that leans by rounding, or by the tolerance of a mesh, is no undercut.
+constexpr double kNarrow = 0.1;
 
 /// Where the vertical line through a point crosses the surface.
 struct Crossing {
@@ -133,12 +42,67 @@ struct Crossing {
     double z;
 };
 
+/// Air beneath the upper surface of one point, mm.
+struct Air {
+    double height = 0;  ///< of all gaps
+    double tallest = 0; ///< gap
+    double top = 0;     ///< of it
+    bool isOpen = false;
+};
+
+/// A point over air, and on which sides of it there is some as well: a bit for each, in turn around it.
+struct Suspect {
+    std::uint32_t point; ///< index within the band
+    Air air;
+    unsigned sides = 0;
+
+    /// Not only along a wall that leans.
+    [[nodiscard]] bool isOverAnUndercut() const { return (sides & (sides << 1U | sides >> 3U)) != 0; }
+};
+
 /// What was found beneath the upper surface.
 struct Beneath {
     Undercut undercut;
     std::size_t covered = 0; ///< points with material
     std::size_t open = 0;    ///< of these, the points over which the mesh is not closed
 };
+
+/// Calls `visit` with the crossings of each point, of which the `points` of a band have any number.
+template<class Visit>
+void eachColumn(const std::vector<Crossing>& crossings, std::size_t points, const Visit& visit) {
+    std::vector<std::uint32_t> ends(points + 1, 0);
+    for (const Crossing& crossing : crossings)
+        ++ends[crossing.point + 1];
+    for (std::size_t k = 1; k < ends.size(); ++k)
+        ends[k] += ends[k - 1];
+    std::vector<Crossing> sorted(crossings.size());
+    std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+    for (const Crossing& crossing : crossings)
+        sorted[next[crossing.point]++] = crossing;
+    for (std::size_t point = 0; point < points; ++point)
+        if (ends[point] != ends[point + 1])
+            visit(std::span(sorted).subspan(ends[point], ends[point + 1] - ends[point]));
+}
+
+/// Follows a column from above down to the floor: there is air where the line has entered as many shells as
+/// it has left. `upIsOut`: the triangles are counter-clockwise seen from outside.
+Air airIn(std::span<Crossing> column, bool upIsOut, double floorZ) {
+    std::ranges::sort(column, [](const Crossing& a, const Crossing& b) { return a.z > b.z; });
+    Air air;
+    int within = 0;
+    for (std::size_t k = 0; k < column.size(); ++k) {
+        within += column[k].up == upIsOut ? 1 : -1;
+        const double gap = column[k].z - (k + 1 < column.size() ? column[k + 1].z : floorZ);
+        if (within > 0 || !(gap > Undercut::kLeast))
+            continue;
+        air.height += gap;
+        if (gap > air.tallest)
+            air.top = column[k].z;
+        air.tallest = std::max(gap, air.tallest);
+    }
+    air.isOpen = within != 0;
+    return air;
+}
 
 /// Tiles of one row, few enough that the memory for their points is small compared with the map.
 class Band {
@@ -154,34 +118,35 @@ public:
     [[nodiscard]] int columns() const { return m_columns; }
 
     void add(const Facet& facet) {
-        if (facet.largestX() + kOnRim < x(0) || facet.leastX() - kOnRim > x(m_columns - 1))
-            return;
-        const auto row = [&](double y) {
-            return (y - m_grid.origin.y) / m_grid.hy - m_grid.firstJ - m_firstRow;
-        };
-        const double first = std::ceil(row(facet.lowestY() - kOnRim));
-        const double last = std::floor(row(facet.highestY() + kOnRim));
-        for (int j = static_cast<int>(std::max(first, 0.0)); j <= std::min(last, m_rows - 1.0); ++j)
-            addRow(facet, j);
+        eachRow(facet, kOnRim, [&](int j) {
+            addCovered(facet, j);
+            eachCrossing(facet, j, Vec2(0),
+                         [&](const Crossing& crossing) { m_crossings.push_back(crossing); });
+        });
     }
 
     /// Both indices are counted from the first point of the band.
     [[nodiscard]] double top(int i, int j) const { return m_top[indexOf(i, j)]; }
 
-    /// `upIsOut`: the triangles are counter-clockwise seen from outside.
-    void lookBeneath(bool upIsOut, double floorZ, const Vec3& offset, Beneath& beneath) {
-        std::vector<std::uint32_t> ends(m_top.size() + 1, 0);
-        for (const Crossing& crossing : m_crossings)
-            ++ends[crossing.point + 1];
-        for (std::size_t k = 1; k < ends.size(); ++k)
-            ends[k] += ends[k - 1];
-        std::vector<Crossing> sorted(m_crossings.size());
-        std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
-        for (const Crossing& crossing : m_crossings)
-            sorted[next[crossing.point]++] = crossing;
-        for (std::size_t point = 0; point + 1 < ends.size(); ++point)
-            lookDown(std::span(sorted).subspan(ends[point], ends[point + 1] - ends[point]), upIsOut, floorZ,
-                     offset, beneath);
+    /// `facets`: those that were added. `upIsOut`: they are counter-clockwise seen from outside.
+    void lookBeneath(std::span<const Facet> facets, bool upIsOut, double floorZ, const Vec3& offset,
+                     Beneath& beneath) const {
+        std::vector<Suspect> suspects;
+        eachColumn(m_crossings, m_top.size(), [&](std::span<Crossing> column) {
+            const Air air = airIn(column, upIsOut, floorZ);
+            ++beneath.covered;
+            beneath.open += air.isOpen ? 1 : 0;
+            if (air.height > 0)
+                suspects.push_back({column.front().point, air, 0});
+        });
+        if (suspects.empty())
+            return;
+        const double aside = kNarrow * std::min(m_grid.hx, m_grid.hy);
+        for (const Vec2& way : {Vec2(1, 1), Vec2(-1, 1), Vec2(-1, -1), Vec2(1, -1)})
+            lookBeside(suspects, facets, aside * way, upIsOut, floorZ);
+        for (const Suspect& suspect : suspects)
+            if (suspect.isOverAnUndercut())
+                addTo(beneath.undercut, suspect, offset);
     }
 
 private:
@@ -196,9 +161,23 @@ private:
         return static_cast<int>(std::clamp(column, 0.0, double(m_columns)));
     }
 
-    void addRow(const Facet& facet, int j) {
+    /// Calls `visit(j)` for the rows that come as near as `near` to the facet.
+    template<class Visit>
+    void eachRow(const Facet& facet, double near, const Visit& visit) const {
+        if (facet.largestX() + near < x(0) || facet.leastX() - near > x(m_columns - 1))
+            return;
+        const auto row = [&](double y) {
+            return (y - m_grid.origin.y) / m_grid.hy - m_grid.firstJ - m_firstRow;
+        };
+        const double first = std::ceil(row(facet.lowestY() - near));
+        const double last = std::floor(row(facet.highestY() + near));
+        for (int j = static_cast<int>(std::max(first, 0.0)); j <= std::min(last, m_rows - 1.0); ++j)
+            visit(j);
+    }
+
+    void addCovered(const Facet& facet, int j) {
         const double y = m_grid.y(m_firstRow + j);
-        const Range covered = facet.covered(y);
+        const FacetRange covered = facet.covered(y);
         for (int i = columnFrom(covered.from - kOnRim - m_grid.hx);
              i < m_columns && x(i) <= covered.to + kOnRim; ++i) {
             if (x(i) < covered.from - kOnRim)
@@ -206,38 +185,53 @@ private:
             double& top = m_top[indexOf(i, j)];
             top = std::max(top, facet.heightAt(x(i), y));
         }
-        const Range owned = facet.owned(y + kAsideY);
-        for (int i = columnFrom(owned.from - m_grid.hx); i < m_columns && x(i) + kAsideX < owned.to; ++i)
-            if (x(i) + kAsideX >= owned.from)
-                m_crossings.push_back(
-                    {static_cast<std::uint32_t>(indexOf(i, j)), facet.looksUp(), facet.heightAt(x(i), y)});
     }
 
-    /// Follows the column from above down to the floor: there is air where the line has entered as many
-    /// shells as it has left.
-    void lookDown(std::span<Crossing> column, bool upIsOut, double floorZ, const Vec3& offset,
-                  Beneath& beneath) const {
-        if (column.empty())
-            return;
-        std::ranges::sort(column, [](const Crossing& a, const Crossing& b) { return a.z > b.z; });
+    /// Calls `visit` with the crossings of a row, which is moved by `aside`.
+    template<class Visit>
+    void eachCrossing(const Facet& facet, int j, const Vec2& aside, const Visit& visit) const {
+        const double y = m_grid.y(m_firstRow + j) + aside.y;
+        const double moved = aside.x + kAside.x;
+        const FacetRange owned = facet.owned(y + kAside.y);
+        for (int i = columnFrom(owned.from - aside.x - m_grid.hx); i < m_columns && x(i) + moved < owned.to;
+             ++i)
+            if (x(i) + moved >= owned.from)
+                visit({static_cast<std::uint32_t>(indexOf(i, j)), facet.looksUp(),
+                       facet.heightAt(x(i) + aside.x, y)});
+    }
+
+    /// Adds the next side of all.
+    void lookBeside(std::vector<Suspect>& suspects, std::span<const Facet> facets, const Vec2& aside,
+                    bool upIsOut, double floorZ) const {
+        std::vector<bool> isWanted(m_top.size());
+        for (Suspect& suspect : suspects) {
+            suspect.sides <<= 1U;
+            isWanted[suspect.point] = true;
+        }
+        std::vector<Crossing> crossings;
+        const double near = kOnRim + std::max(std::abs(aside.x), std::abs(aside.y));
+        for (const Facet& facet : facets)
+            eachRow(facet, near, [&](int j) {
+                eachCrossing(facet, j, aside, [&](const Crossing& crossing) {
+                    if (isWanted[crossing.point])
+                        crossings.push_back(crossing);
+                });
+            });
+        auto suspect = suspects.begin();
+        eachColumn(crossings, m_top.size(), [&](std::span<Crossing> column) {
+            suspect = std::ranges::find(suspect, suspects.end(), column.front().point, &Suspect::point);
+            suspect->sides |= airIn(column, upIsOut, floorZ).height > 0 ? 1U : 0U;
+        });
+    }
+
+    void addTo(Undercut& undercut, const Suspect& suspect, const Vec3& offset) const {
         const auto columns = static_cast<std::uint32_t>(m_columns);
-        const int i = m_firstColumn + static_cast<int>(column.front().point % columns);
-        const int j = m_firstRow + static_cast<int>(column.front().point / columns);
+        const int i = m_firstColumn + static_cast<int>(suspect.point % columns);
+        const int j = m_firstRow + static_cast<int>(suspect.point / columns);
         const double weight =
             (i == 0 || i == m_grid.nx - 1 ? 0.5 : 1.0) * (j == 0 || j == m_grid.ny - 1 ? 0.5 : 1.0);
-        const auto air = [&](double from, double to) {
-            if (from - to > Undercut::kLeast)
-                beneath.undercut.add((from - to) * weight * m_grid.hx * m_grid.hy, from - to,
-                                     Vec3(m_grid.x(i), m_grid.y(j), from) + offset);
-        };
-        int within = 0;
-        for (std::size_t k = 0; k < column.size(); ++k) {
-            within += column[k].up == upIsOut ? 1 : -1;
-            if (within <= 0)
-                air(column[k].z, k + 1 < column.size() ? column[k + 1].z : floorZ);
-        }
-        ++beneath.covered;
-        beneath.open += within == 0 ? 0 : 1;
+        undercut.add(suspect.air.height * weight * m_grid.hx * m_grid.hy, suspect.air.tallest,
+                     Vec3(m_grid.x(i), m_grid.y(j), suspect.air.top) + offset);
     }
 
     const GridPart& m_grid;
@@ -255,7 +249,7 @@ public:
         : m_mesh(std::move(mesh)), m_box(box), m_warnings(std::move(warnings)) {
         double volume = 0;
         for (std::size_t k = 0; k < m_mesh.triangles.size(); ++k) {
-            const Corners c = corners(k);
+            const FacetCorners c = corners(k);
             volume += glm::dot(c[0] - box.lo, glm::cross(c[1] - box.lo, c[2] - box.lo));
         }
         m_upIsOut = volume >= 0;
@@ -270,35 +264,41 @@ public:
         UncutStock uncut{ZMap(stock, grid), m_warnings};
         const Vec3 offset = stock.corner - box().corner;
         Beneath beneath;
-        fill(uncut.zmap, GridPart(grid), offset,
-             [&](Band& band) { band.lookBeneath(m_upIsOut, m_box.lo.z, offset, beneath); });
+        fill(uncut.zmap, GridPart(grid), offset, [&](const Band& band, std::span<const Facet> facets) {
+            band.lookBeneath(facets, m_upIsOut, m_box.lo.z, offset, beneath);
+        });
         report(beneath, uncut.findings);
         return uncut;
     }
     [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
         ZMap zmap(part.stock(stock), part.grid());
-        fill(zmap, part, stock.corner - box().corner, [](Band&) {});
+        fill(zmap, part, stock.corner - box().corner, [](const Band&, std::span<const Facet>) {});
         return zmap;
     }
 
 private:
-    /// Calls `look` with each band once it is complete.
+    /// Calls `look` with each band once it is complete, and its facets.
     template<class Look>
     void fill(ZMap& zmap, GridPart grid, const Vec3& offset, const Look& look) const {
         // The mesh stays in its own coordinates, and the grid is moved to it.
         grid.origin -= Vec2(offset);
         const auto rows = rowsOf(grid);
-        for (int tileRow = 0; tileRow < zmap.tilesY(); ++tileRow)
+        for (int tileRow = 0; tileRow < zmap.tilesY(); ++tileRow) {
+            std::vector<Facet> facets;
+            facets.reserve(rows[static_cast<std::size_t>(tileRow)].size());
+            for (const std::uint32_t triangle : rows[static_cast<std::size_t>(tileRow)])
+                facets.emplace_back(corners(triangle));
             for (int column = 0; column < grid.nx; column += Band::kMostColumns) {
                 Band band(grid, column, tileRow * Tile::kSize);
-                for (const std::uint32_t triangle : rows[static_cast<std::size_t>(tileRow)])
-                    band.add(Facet(corners(triangle)));
+                for (const Facet& facet : facets)
+                    band.add(facet);
                 put(band, column / Tile::kSize, tileRow, zmap);
-                look(band);
+                look(band, facets);
             }
+        }
     }
 
-    [[nodiscard]] Corners corners(std::size_t triangle) const {
+    [[nodiscard]] FacetCorners corners(std::size_t triangle) const {
         const auto& t = m_mesh.triangles[triangle];
         return {m_mesh.vertices[t[0]], m_mesh.vertices[t[1]], m_mesh.vertices[t[2]]};
     }

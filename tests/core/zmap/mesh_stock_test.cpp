@@ -171,6 +171,25 @@ TEST(MeshStock, CavityIsReportedWithItsVolumeHeightAndPlace) {
     EXPECT_LE(std::stod(reported[2]), 120);
 }
 
+/// Walls of files lean by rounding and by their tolerance, and often are at points of the grid.
+TEST(MeshStock, WallsThatLeanByATenthOfACellAreNoUndercuts) {
+    for (const double lean : {1e-6, 0.04, 0.7}) {
+        for (const double turned : {0.0, 45.0, 17.0}) {
+            StockMesh mesh;
+            addBox(mesh, {-10, -10, -5}, {10, 10, 0});
+            const double angle = turned * kPi / 180;
+            for (Vec3& vertex : mesh.vertices) {
+                vertex.x += vertex.z < 0 ? 0 : lean; // the top overhangs
+                vertex = {std::cos(angle) * vertex.x - std::sin(angle) * vertex.y,
+                          std::sin(angle) * vertex.x + std::cos(angle) * vertex.y, vertex.z};
+            }
+            addBox(mesh, {-20, -20, -8}, {20, 20, -4}); // and it stands on a plate
+            const UncutStock uncut = uncutOf(mesh, 0.5);
+            EXPECT_EQ(idsOf(uncut.findings), lean > 0.1 ? "stock-undercut " : "") << lean << " " << turned;
+        }
+    }
+}
+
 TEST(MeshStock, ShellsThatOverlapAreOneBody) {
     StockMesh mesh;
     addBox(mesh, {0, 0, 0}, {40, 30, 12});
