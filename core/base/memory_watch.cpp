@@ -17,8 +17,7 @@ MemoryWatch::MemoryWatch(std::uint64_t mostBytes, MemorySources sources, std::ch
                          IsCause isCause)
     : m_most(mostBytes), m_sources(std::move(sources)), m_between(between), m_isCause(std::move(isCause)),
       m_thread([this](const std::stop_token& end) { watch(end); }) {
-    if (isTooMuch())
-        m_work.request_stop();
+    look();
 }
 
 MemoryWatch::~MemoryWatch() = default;
@@ -30,6 +29,11 @@ void MemoryWatch::watch(const std::stop_token& end) {
         if (!end.stop_requested() && isTooMuch())
             m_work.request_stop();
     }
+}
+
+void MemoryWatch::look() {
+    if (isTooMuch())
+        m_work.request_stop();
 }
 
 bool MemoryWatch::isTooMuch() const {

@@ -35,6 +35,8 @@ public:
     /// For the work; stopped when the limit is exceeded.
     [[nodiscard]] std::stop_token stop() const { return m_work.get_token(); }
     [[nodiscard]] bool exceeded() const { return m_work.stop_requested(); }
+    /// Looks now: work that is done before the next look is judged all the same.
+    void look();
 
 private:
     static constexpr std::chrono::milliseconds kUsuallyBetween{10};

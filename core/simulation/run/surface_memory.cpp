@@ -62,6 +62,7 @@ bool SurfaceMemory::limit(const Surface& surface, std::size_t points, const Work
     const EitherStop either(context.stop, memory->stop());
     try {
         work({either.token(), context.progress});
+        memory->look();
     } catch (const std::bad_alloc&) {
         m_exceeded = true;
         return false;
