@@ -8822,6 +8822,10 @@ Vorgabe: 0 mm</translation>
         <source>Saved %1: the stock for the next setup</source>
         <translation>%1 gespeichert: das Rohteil für die nächste Aufspannung</translation>
     </message>
+    <message>
+        <source>largest error %1 mm, certified within %2 mm everywhere but at walls</source>
+        <translation>größter Fehler %1 mm, außer an Wänden überall zertifiziert innerhalb %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -11094,6 +11098,10 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>Decimation is off during playback: there are only %1 triangles to draw without it.</source>
         <translation>Die Dezimierung ist beim Abspielen ausgeschaltet: Ohne sie sind nur %1 Dreiecke zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm anywhere but at walls, within the allowance of %2 mm</source>
+        <translation>Größter Fehler: %1 mm irgendwo außer an Wänden, innerhalb der zulässigen %2 mm</translation>
     </message>
 </context>
 <context>

@@ -8822,6 +8822,10 @@ Default: 0 mm</source>
         <source>Saved %1: the stock for the next setup</source>
         <translation>%1 저장됨: 다음 셋업의 소재</translation>
     </message>
+    <message>
+        <source>largest error %1 mm, certified within %2 mm everywhere but at walls</source>
+        <translation>최대 오차 %1 mm, 벽을 제외한 모든 곳에서 %2 mm 이내로 보증됨</translation>
+    </message>
 </context>
 <context>
     <name>Field</name>
@@ -11093,6 +11097,10 @@ Default: the next free number</source>
     <message>
         <source>Decimation is off during playback: there are only %1 triangles to draw without it.</source>
         <translation>재생하는 동안 간략화를 끕니다. 간략화하지 않아도 그릴 삼각형이 %1개뿐입니다.</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm anywhere but at walls, within the allowance of %2 mm</source>
+        <translation>최대 오차: 벽을 제외한 모든 곳에서 %1 mm, 허용 오차 %2 mm 이내</translation>
     </message>
 </context>
 <context>

@@ -73,11 +73,10 @@ std::optional<std::vector<MeshOutput>> MeshOutputs::write(ZMapSnapshot& zmap, Su
                                                           Report& report) const {
     const DecimationParameters promised = allowance.promised();
     const ErrorLevel level = errorLevel(promised);
-    const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
     const std::size_t wallPoints = zmap.walls().count();
     const auto closeOnce = [&]() -> std::optional<SolidForExport> {
         if (!zmap.walls().empty()) {
-            if (auto walled = closeWithWalls(zmap, surface.releaseTriangles(), ofWalls))
+            if (auto walled = closeWithWalls(zmap, surface.releaseTriangles(), promised, coordinates()))
                 return SolidForExport(zmap, std::move(*walled), level);
             zmap.setWalls({}); // and then their points are not needed
             if (!makeAgain(allowance.parameters()))

@@ -26,6 +26,8 @@ public:
     FileAllowance(const DecimationParameters& promised, CoordinateType type, const StockBox& stock);
 
     [[nodiscard]] const DecimationParameters& promised() const { return m_promised; }
+    /// Of the file with the coarsest ones.
+    [[nodiscard]] CoordinateType coordinates() const { return m_type; }
     /// For the mesh to make now.
     [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
     /// The part of making it, and of reduce(), in the work for all tries, most of which are not needed.

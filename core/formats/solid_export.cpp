@@ -51,7 +51,7 @@ Diagnostics warningsOf(SolidForExport& solid, CoordinateType type, const Decimat
 } // namespace
 
 SolidForExport::SolidForExport(const ZMapSnapshot& zmap, TriangleMesh mesh, ErrorLevel level)
-    : m_zmap(&zmap), m_mesh(std::move(mesh)), m_level(zmap.walls().empty() ? level : ErrorLevel::sample) {}
+    : m_zmap(&zmap), m_mesh(std::move(mesh)), m_level(level) {}
 
 double SolidForExport::largestErrorMm(CoordinateType type, const WorkContext& context) {
     std::optional<double>& known = m_errors.at(static_cast<std::size_t>(type));

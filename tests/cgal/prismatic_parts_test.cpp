@@ -278,8 +278,8 @@ TEST(PrismaticParts, AreInFilesAsTheyWereCut) {
         parameters.allowance = 0.01;
         SurfaceSnapshot surface = decimatedWhole(moment, parameters);
         const std::size_t walls = moment.walls().count();
-        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance, {},
-                                          CutThroughWalls::drawn);
+        const auto solid =
+            closeWithWalls(moment, surface.releaseTriangles(), parameters, CoordinateType::float32);
         ASSERT_TRUE(solid.has_value());
         EXPECT_EQ(moment.walls().count(), walls);
         EXPECT_EQ(whatIsWrong(*solid), "");
@@ -322,14 +322,14 @@ TEST(PrismaticParts, OfRandomCutsAreSound) {
         DecimationParameters parameters;
         parameters.allowance = uniform(random, 0.002, 0.05);
         SurfaceSnapshot surface = decimatedWhole(moment, parameters);
-        const auto solid = closeWithWalls(moment, surface.releaseTriangles(), parameters.allowance, {},
-                                          CutThroughWalls::drawn);
+        const auto solid =
+            closeWithWalls(moment, surface.releaseTriangles(), parameters, CoordinateType::float32);
         if (!solid)
             continue;
         ++walled;
         EXPECT_EQ(whatIsWrong(*solid), "");
         EXPECT_EQ(whatCgalFindsWrong(*solid, Intersections::skip), "");
-        EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::sample),
+        EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::surface),
                   parameters.allowance);
     }
     EXPECT_GT(walled, rounds * 9 / 10);

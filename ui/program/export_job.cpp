@@ -68,7 +68,6 @@ Result<SolidForExport> makeSolid(ZMapSnapshot& zmap, FileAllowance& allowance, c
                                  const WorkContext& context) {
     const WorkContext limited{memory.stop(), context.progress};
     const DecimationParameters promised = allowance.promised();
-    const double ofWalls = promised.method == DecimationMethod::none ? 0 : promised.allowance;
     for (;;) {
         const WorkContext part = allowance.thisTry(limited);
         SurfaceSnapshot surface = decimatedWhole(zmap, allowance.parameters(), part.part(0, kDecimated));
@@ -83,7 +82,8 @@ Result<SolidForExport> makeSolid(ZMapSnapshot& zmap, FileAllowance& allowance, c
         TriangleMesh mesh;
         if (zmap.walls().empty()) {
             mesh = closeSolid(zmap, std::move(triangles), closing);
-        } else if (auto walled = closeWithWalls(zmap, std::move(triangles), ofWalls, closing)) {
+        } else if (auto walled = closeWithWalls(zmap, std::move(triangles), promised, allowance.coordinates(),
+                                                closing)) {
             mesh = std::move(*walled);
         } else {
             zmap.setWalls({}); // and then their points are not needed
@@ -143,7 +143,8 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
                          .largestErrorMm = exported->largestErrorMm,
                          .allowanceMm = decimates ? parameters.allowance : 0,
                          .certified = decimates && isBounded(parameters),
-                         .level = zmap.walls().empty() ? errorLevel(parameters) : ErrorLevel::sample,
+                         .level = errorLevel(parameters),
+                         .hasWalls = !zmap.walls().empty(),
                          .warnings = std::move(exported->warnings)};
 }
 

@@ -36,6 +36,7 @@ struct ExportSummary {
     double allowanceMm = 0;                ///< of the decimation; 0: every point of the z-map was written
     bool certified = false;                ///< the decimation stays within the allowance …
     ErrorLevel level = ErrorLevel::sample; ///< … where the error was measured
+    bool hasWalls = false;                 ///< … it was measured away from them
     Diagnostics warnings;                  ///< about the file
 };
 

@@ -45,6 +45,11 @@ QString errorText(const ExportSummary& summary, const QLocale& locale) {
     if (summary.largestErrorMm > summary.allowanceMm)
         return translated(QT_TRANSLATE_NOOP("Export", "largest error %1 mm exceeds the allowance of %2 mm"))
             .arg(error, allowance);
+    if (summary.level == ErrorLevel::surface && summary.hasWalls)
+        return translated(
+                   QT_TRANSLATE_NOOP("Export",
+                                     "largest error %1 mm, certified within %2 mm everywhere but at walls"))
+            .arg(error, allowance);
     if (summary.level == ErrorLevel::surface)
         return translated(
                    QT_TRANSLATE_NOOP("Export", "largest error %1 mm, certified within %2 mm everywhere"))

@@ -142,9 +142,13 @@ void TuningPanel::showEffect(const FramePtr& frame) {
                                 locale().toString(static_cast<qulonglong>(surface.grid.regionCount()))));
     const QString error = locale().toString(surface.largestError(), 'f', 4);
     const QString allowance = locale().toString(frame->parameters.allowance);
+    const QString everywhere =
+        frame->zmap.walls().empty()
+            ? tr("Largest error: %1 mm anywhere, within the allowance of %2 mm")
+            : tr("Largest error: %1 mm anywhere but at walls, within the allowance of %2 mm");
     const QString bounded =
         frame->level == ErrorLevel::surface
-            ? tr("Largest error: %1 mm anywhere, within the allowance of %2 mm")
+            ? everywhere
             : tr("Largest error: %1 mm at the z-map points, within the allowance of %2 mm");
     m_error->setText(
         isBounded(frame->parameters)

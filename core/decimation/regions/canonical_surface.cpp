@@ -2,7 +2,6 @@
 #include "core/decimation/regions/canonical_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace proveout {
@@ -23,21 +22,7 @@ double CanonicalSurface::height(double i, double j) const {
 }
 
 double CanonicalSurface::distanceAlong(const Vec3& a, const Vec3& b) const {
-    const auto distance = [this](const Vec3& p) { return std::abs(p.z - height(p.x, p.y)); };
-    double largest = std::max(distance(a), distance(b));
-    // The edges of the mesh are on four families of lines, each at the multiples of a step.
-    struct Family {
-        double from, to, step;
-    };
-    const std::array<Family, 4> families{
-        {{a.x, b.x, 1}, {a.y, b.y, 1}, {a.x - a.y, b.x - b.y, 2}, {a.x + a.y, b.x + b.y, 2}}};
-    for (const auto& [from, to, step] : families) {
-        const double low = std::min(from, to) / step;
-        const double high = std::max(from, to) / step;
-        for (double line = std::floor(low) + 1; line < high; ++line)
-            largest = std::max(largest, distance(a + (line * step - from) / (to - from) * (b - a)));
-    }
-    return largest;
+    return distanceAlong(a, b, [](const Vec3&) { return true; });
 }
 
 } // namespace proveout

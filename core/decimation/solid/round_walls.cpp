@@ -36,10 +36,11 @@ constexpr double kSameSide = 0.5;
 class RoundWalls {
 public:
     RoundWalls(const SolidFrame& frame, double tolerance, TriangleMesh& solid)
-        : m_tolerance(tolerance), m_longest(kLongest * frame.cell()), m_solid(solid) {
+        : m_coordinates(frame.coordinates()), m_tolerance(tolerance), m_longest(kLongest * frame.cell()),
+          m_solid(solid) {
         const Grid& grid = frame.zmap().grid();
-        m_lo = roundedTo(CoordinateType::float32, Vec3(grid.x(0), grid.y(0), 0));
-        m_hi = roundedTo(CoordinateType::float32, Vec3(grid.x(grid.nx - 1), grid.y(grid.ny - 1), 0));
+        m_lo = roundedTo(m_coordinates, Vec3(grid.x(0), grid.y(0), 0));
+        m_hi = roundedTo(m_coordinates, Vec3(grid.x(grid.nx - 1), grid.y(grid.ny - 1), 0));
         findNormals(frame);
         for (std::uint32_t t = 0; t < solid.triangles.size(); ++t) {
             link(t);
@@ -85,8 +86,8 @@ private:
         return std::uint64_t{from} << 32U | to;
     }
     using Place = std::array<double, 3>;
-    [[nodiscard]] static Place placeOf(const Vec3& at) {
-        const Vec3 rounded = roundedTo(CoordinateType::float32, at);
+    [[nodiscard]] Place placeOf(const Vec3& at) const {
+        const Vec3 rounded = roundedTo(m_coordinates, at);
         return {rounded.x, rounded.y, rounded.z};
     }
 
@@ -157,8 +158,8 @@ private:
     }
     /// Whether an edge is on a side of the stock, whose triangles are in its plane.
     [[nodiscard]] bool isOnSide(std::uint32_t a, std::uint32_t b) const {
-        const Vec3 p = roundedTo(CoordinateType::float32, m_solid.vertices[a]);
-        const Vec3 q = roundedTo(CoordinateType::float32, m_solid.vertices[b]);
+        const Vec3 p = roundedTo(m_coordinates, m_solid.vertices[a]);
+        const Vec3 q = roundedTo(m_coordinates, m_solid.vertices[b]);
         const auto both = [&](int axis, double border) { return p[axis] == border && q[axis] == border; };
         return both(0, m_lo.x) || both(0, m_hi.x) || both(1, m_lo.y) || both(1, m_hi.y);
     }
@@ -286,9 +287,10 @@ private:
         const Vec3 whole = normalOf(corners(triangle));
         const Vec3 normal = normalOf(part);
         return glm::dot(whole, normal) > kSameSide * glm::length(whole) * glm::length(normal) &&
-               isSoundInFloat(part);
+               isSound(m_coordinates, part);
     }
 
+    CoordinateType m_coordinates;
     double m_tolerance;
     double m_longest;
     TriangleMesh& m_solid;

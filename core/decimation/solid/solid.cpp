@@ -70,10 +70,10 @@ TriangleMesh closed(const SolidFrame& frame, std::vector<LatticeTriangle> surfac
                                         : closeAboveFloor(frame, std::move(surface), context);
 }
 
-bool areAllSoundInFloat(const TriangleMesh& solid) {
+bool areAllSound(CoordinateType type, const TriangleMesh& solid) {
     return std::ranges::all_of(solid.triangles, [&](const auto& triangle) {
-        return isSoundInFloat(
-            Corners{solid.vertices[triangle[0]], solid.vertices[triangle[1]], solid.vertices[triangle[2]]});
+        return isSound(type, Corners{solid.vertices[triangle[0]], solid.vertices[triangle[1]],
+                                     solid.vertices[triangle[2]]});
     });
 }
 
@@ -99,7 +99,7 @@ std::vector<std::uint32_t> pointsOfFolds(const SolidFrame& frame,
     return points;
 }
 
-/// A vertex in single precision, and the point of the map that it is.
+/// A rounded vertex, and the point of the map that it is.
 using VertexOfPoint = std::pair<std::array<double, 3>, std::uint32_t>;
 
 /// Those that are at the same place.
@@ -111,8 +111,8 @@ void addEqual(std::vector<VertexOfPoint> vertices, std::vector<std::uint32_t>& p
     }
 }
 
-/// The points around which a surface is folded or, in single precision, has turned triangles or equal
-/// vertices.
+/// The points around which a surface is folded or, in the coordinates of a file, has turned triangles or
+/// equal vertices.
 std::vector<std::uint32_t> unsoundPoints(const SolidFrame& frame,
                                          const std::vector<LatticeTriangle>& surface) {
     std::vector<std::uint32_t> points;
@@ -123,10 +123,10 @@ std::vector<std::uint32_t> unsoundPoints(const SolidFrame& frame,
             continue;
         const Corners corners = frame.top(triangle);
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3 at = roundedTo(CoordinateType::float32, corners[k]);
+            const Vec3 at = roundedTo(frame.coordinates(), corners[k]);
             vertices.push_back({{at.x, at.y, at.z}, triangle[k]});
         }
-        if (!isSoundInFloat(corners) || isFolded(frame, triangle, kFold))
+        if (!isSound(frame.coordinates(), corners) || isFolded(frame, triangle, kFold))
             points.insert(points.end(), triangle.begin(), triangle.end());
     }
     addEqual(std::move(vertices), points);
@@ -158,14 +158,13 @@ bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& poi
 } // namespace
 
 std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                                           double allowance, const WorkContext& context,
-                                           CutThroughWalls cutThrough) {
-    // A file may be the stock of the next setup, for which a wall that leans is an undercut.
-    if (cutThrough == CutThroughWalls::atPoints && touchesFloor(SolidFrame(zmap), surface))
-        return std::nullopt;
+                                           const DecimationParameters& promised, CoordinateType coordinates,
+                                           const WorkContext& context) {
+    const double allowance = promised.method == DecimationMethod::none ? 0 : promised.allowance;
+    const ErrorBound bound{allowance, errorLevel(promised)};
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds; ++round) {
-        const SolidFrame frame(zmap);
+        const SolidFrame frame(zmap, coordinates);
         FormerTriangles flipped = flipWallCaps(frame, surface);
         std::ranges::move(unfoldLevels(frame, surface), std::back_inserter(flipped));
         std::vector<std::uint32_t> unsound = pointsOfFolds(frame, surface);
@@ -183,10 +182,10 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
                 return solid;
             if (solid)
                 roundWalls(frame, std::max(2 * kWallShare * allowance, kRoundness), *solid);
-            if (unsound.empty() ? !solid || !areAllSoundInFloat(*solid) : allowance == 0)
+            if (unsound.empty() ? !solid || !areAllSound(coordinates, *solid) : allowance == 0)
                 return std::nullopt;
             if (unsound.empty() && allowance > 0)
-                unsound = pointsFarther(zmap, *solid, CoordinateType::float32, allowance, context.stop);
+                unsound = pointsFarther(zmap, *solid, coordinates, bound, context.stop);
             if (unsound.empty() || context.stopped())
                 return solid;
         }

@@ -8,6 +8,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/work_context.h"
+#include "core/decimation/regions/parameters.h"
 #include "core/decimation/regions/region_mesh.h"
 #include "core/zmap/zmap.h"
 
@@ -34,20 +35,14 @@ inline constexpr double kPinchGap = 1e-4;
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                       const WorkContext& context = {});
 
-/// Which solids closeWithWalls() makes.
-enum class CutThroughWalls : std::uint8_t {
-    atPoints, ///< none of surfaces that come down to the floor
-    drawn,    ///< all; what is cut through has walls that lean by parts of a cell
-};
-
-/// The same with walls where they stand, if `zmap` has them and `surface` has their points. `allowance`: mm,
-/// that of the surface, by which walls are simplified as well; 0: they keep all their points. Where other
-/// walls are so near that the grid does not resolve them, so that the solid would be farther from points of
-/// the map than allowed, or turned over, `zmap` loses them, and they are drawn at its points. Nothing if that
-/// does not help, and if the surface comes down to the floor.
+/// The same with walls where they stand, if `zmap` has them and `surface` has their points. `promised`: what
+/// the surface was made for; walls are simplified within its allowance as well, and keep all their points if
+/// there is none. `coordinates`: of the file. Where other walls are so near that the grid does not resolve
+/// them, so that the solid would be farther from the map than allowed, or turned over, `zmap` loses them, and
+/// they are drawn at its points. Nothing if that does not help.
 [[nodiscard]] std::optional<TriangleMesh>
-closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface, double allowance,
-               const WorkContext& context = {}, CutThroughWalls cutThrough = CutThroughWalls::atPoints);
+closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface, const DecimationParameters& promised,
+               CoordinateType coordinates, const WorkContext& context = {});
 
 /// Whether closeSolid() has split and separated vertices of this solid.
 [[nodiscard]] bool hasVerticesSetApart(const ZMapSnapshot& zmap, const TriangleMesh& solid);

@@ -156,9 +156,9 @@ private:
         m_solid.vertices.emplace_back();
         return static_cast<std::uint32_t>(m_points.size() - 1);
     }
-    /// As single precision holds it: triangles of the underside must not turn over in files.
+    /// As a file holds it: triangles of the underside must not turn over in files.
     [[nodiscard]] Vec3 onFloor(const Vec2& place) const {
-        const Vec3 rounded = roundedTo(CoordinateType::float32, Vec3(place, 0));
+        const Vec3 rounded = roundedTo(m_frame.coordinates(), Vec3(place, 0));
         return {rounded.x, rounded.y, m_frame.floorZ()};
     }
 

@@ -93,11 +93,53 @@ Vec2 stretchAt(double y, const Corners& at) {
     return stretch;
 }
 
+/// The cells that have points beside walls.
+class WallCells {
+public:
+    explicit WallCells(const ZMapSnapshot& zmap) : m_nx(zmap.grid().nx), m_ny(zmap.grid().ny) {
+        if (zmap.walls().empty())
+            return;
+        m_cells.resize(static_cast<std::size_t>(m_nx) * static_cast<std::size_t>(m_ny));
+        const IndexRect all{0, 0, m_nx, m_ny};
+        for (const std::uint32_t point : zmap.walls().offsetsIn(all)) {
+            const int i = static_cast<int>(point) % m_nx;
+            const int j = static_cast<int>(point) / m_nx;
+            for (int y = std::max(j - 1, 0); y <= j; ++y)
+                for (int x = std::max(i - 1, 0); x <= i; ++x)
+                    m_cells[index(x, y)] = true;
+        }
+    }
+
+    /// Whether one of the cells at a place, in cells, is such a cell.
+    [[nodiscard]] bool contain(const Vec3& place) const {
+        if (m_cells.empty())
+            return false;
+        for (int y = first(place.y); y <= last(place.y, m_ny); ++y)
+            for (int x = first(place.x); x <= last(place.x, m_nx); ++x)
+                if (m_cells[index(x, y)])
+                    return true;
+        return false;
+    }
+
+private:
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_nx) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] static int first(double at) { return std::max(static_cast<int>(std::ceil(at)) - 1, 0); }
+    [[nodiscard]] static int last(double at, int count) {
+        return std::min(static_cast<int>(std::floor(at)), count - 1);
+    }
+
+    int m_nx;
+    int m_ny;
+    std::vector<bool> m_cells; ///< by their points with the least coordinates; empty: none
+};
+
 /// The top of a solid with rounded coordinates, over the grid points of a map. Any thread.
 class SolidTop {
 public:
     SolidTop(const ZMapSnapshot& zmap, const TriangleMesh& solid, CoordinateType type)
-        : m_zmap(zmap), m_solid(solid), m_full(zmap), m_type(type),
+        : m_zmap(zmap), m_solid(solid), m_full(zmap), m_wallCells(zmap), m_type(type),
           m_columns(zmap.grid().nx, zmap.grid().x0, zmap.grid().hx, ends().first),
           m_rows(zmap.grid().ny, zmap.grid().y0, zmap.grid().hy, ends().second) {}
 
@@ -125,13 +167,35 @@ public:
         return {m_rows.firstFrom(low), m_rows.lastTo(high)};
     }
 
-    /// The largest distance of the canonical full mesh from the edges of a triangle.
+    /// The largest distance of the canonical full mesh from an edge of a triangle, away from walls.
+    [[nodiscard]] double alongEdge(const Corners& at, std::size_t k) const {
+        return m_full.distanceAlong(inCells(at[k]), inCells(at[(k + 1) % 3]),
+                                    [&](const Vec3& place) { return !m_wallCells.contain(place); });
+    }
+    /// The same, of all edges of a triangle that is no part of a wall.
     [[nodiscard]] double alongEdges(std::size_t triangle) const {
         const auto at = cornersOf(triangle);
-        double largest = 0;
-        for (std::size_t k = 0; at && k < at->size(); ++k)
-            largest = std::max(largest, m_full.distanceAlong(inCells((*at)[k]), inCells((*at)[(k + 1) % 3])));
-        return largest;
+        return at && !isOfWall(*at) ? std::max({alongEdge(*at, 0), alongEdge(*at, 1), alongEdge(*at, 2)}) : 0;
+    }
+    /// Whether a corner of a triangle is beside a wall.
+    [[nodiscard]] bool meetsWall(const Corners& at) const {
+        return std::ranges::any_of(at,
+                                   [&](const Vec3& corner) { return m_wallCells.contain(inCells(corner)); });
+    }
+    /// Whether it is one of a wall that is steep, but not upright.
+    [[nodiscard]] bool isOfWall(const Corners& at) const {
+        constexpr double kLeastRise = 1.5;
+        const Vec3 normal = normalOf(at);
+        return glm::length(Vec2(normal)) > kLeastRise * normal.z && meetsWall(at);
+    }
+    /// The point of the map that is nearest to a place in plan.
+    [[nodiscard]] std::uint32_t pointNear(const Vec3& at) const {
+        const Vec3 place = inCells(at);
+        const auto near = [](double along, std::size_t count) {
+            return static_cast<std::size_t>(
+                std::clamp(std::round(along), 0.0, static_cast<double>(count - 1)));
+        };
+        return static_cast<std::uint32_t>(near(place.y, rows()) * columns() + near(place.x, columns()));
     }
 
     /// Calls `visit(column)` for each point in row `j` that a triangle may cover.
@@ -191,6 +255,7 @@ private:
     const ZMapSnapshot& m_zmap;
     const TriangleMesh& m_solid;
     CanonicalSurface m_full;
+    WallCells m_wallCells;
     CoordinateType m_type;
     Axis m_columns;
     Axis m_rows;
@@ -225,6 +290,22 @@ void eachDistance(const SolidTop& top, const RowBands& bands, std::size_t band, 
                 visit(i, j, top.aboveFloor(i, j));
 }
 
+/// Adds the ends of edges that meet walls and are farther than a distance somewhere away from walls.
+void addEndsOfEdges(const SolidTop& top, std::size_t triangles, double distance, const std::stop_token& stop,
+                    std::vector<std::uint32_t>& points) {
+    for (std::size_t triangle = 0; triangle < triangles && !stop.stop_requested(); ++triangle) {
+        const auto at = top.cornersOf(triangle);
+        if (!at || !top.meetsWall(*at) || top.isOfWall(*at))
+            continue;
+        for (std::size_t k = 0; k < at->size(); ++k) {
+            if (top.alongEdge(*at, k) > distance) {
+                points.push_back(top.pointNear((*at)[k]));
+                points.push_back(top.pointNear((*at)[(k + 1) % 3]));
+            }
+        }
+    }
+}
+
 } // namespace
 
 Vec3 roundedTo(CoordinateType type, const Vec3& point) {
@@ -232,10 +313,10 @@ Vec3 roundedTo(CoordinateType type, const Vec3& point) {
                                            : Vec3(inFloat(point.x), inFloat(point.y), inFloat(point.z));
 }
 
-bool isSoundInFloat(const Corners& exact) {
+bool isSound(CoordinateType type, const Corners& exact) {
     Corners rounded;
     std::ranges::transform(exact, rounded.begin(),
-                           [](const Vec3& corner) { return roundedTo(CoordinateType::float32, corner); });
+                           [type](const Vec3& corner) { return roundedTo(type, corner); });
     return glm::dot(normalOf(exact), normalOf(rounded)) > 0;
 }
 
@@ -264,19 +345,22 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
 }
 
 std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const TriangleMesh& solid,
-                                         CoordinateType type, double distance, const std::stop_token& stop) {
+                                         CoordinateType type, const ErrorBound& bound,
+                                         const std::stop_token& stop) {
     const SolidTop top(zmap, solid, type);
     const RowBands bands(top.rows(), solid.triangles.size(), [&](std::size_t t) { return top.rowsOf(t); });
     std::vector<std::vector<std::uint32_t>> ofBands(bands.count());
     inParallel(bands.count(), [&](std::size_t band) {
         eachDistance(top, bands, band, stop, [&](std::size_t i, std::size_t j, double isAway) {
-            if (isAway > distance && !top.isBesideWall(i, j))
+            if (isAway > bound.distance && !top.isBesideWall(i, j))
                 ofBands[band].push_back(static_cast<std::uint32_t>(j * top.columns() + i));
         });
     });
     std::vector<std::uint32_t> points;
     for (const std::vector<std::uint32_t>& band : ofBands)
         points.insert(points.end(), band.begin(), band.end());
+    if (bound.level == ErrorLevel::surface)
+        addEndsOfEdges(top, solid.triangles.size(), bound.distance, stop, points);
     return points;
 }
 

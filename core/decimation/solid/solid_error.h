@@ -16,24 +16,31 @@ namespace proveout {
 /// A point as a file with such coordinates holds it.
 [[nodiscard]] Vec3 roundedTo(CoordinateType type, const Vec3& point);
 
-/// Whether a triangle keeps its side in single precision.
-[[nodiscard]] bool isSoundInFloat(const Corners& exact);
+/// Whether a triangle keeps its side in such coordinates.
+[[nodiscard]] bool isSound(CoordinateType type, const Corners& exact);
 
 /// How far the z-map is from the top of a solid, mm: the largest vertical distance of a grid point (at the
 /// surface level: of any point of the canonical full mesh) to the triangles that face upwards, with
 /// coordinates rounded to `type`. Points on the outline of the stock, which is rounded too, are measured at
 /// the nearest point of the rounded one. Where there is no triangle, nothing of the solid is left, and the
-/// floor counts as its top. Points beside walls are left out: they may be on either side of one
-/// that is simplified (simplifyWalls()). It is independent of how the solid was made. Any thread; a stopped
-/// context returns early, with the result up to that point.
+/// floor counts as its top. Points beside walls, and cells that have such points, are left out: they may be
+/// on either side of a wall that is simplified (simplifyWalls()); edges of steep triangles that end there are
+/// measured at the points alone. It is independent of how the solid was
+/// made. Any thread; a stopped context returns early, with the result up to that point.
 [[nodiscard]] double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid,
                                        CoordinateType type, ErrorLevel level,
                                        const WorkContext& context = {});
 
-/// Those points of the map that are farther from the top of a solid, measured in this way at the points, by
-/// their places row by row; some of them several times.
+/// What a solid must keep, measured in this way.
+struct ErrorBound {
+    double distance; ///< mm
+    ErrorLevel level;
+};
+
+/// The points of the map that are farther from the top of a solid, by their places row by row, some of them
+/// several times; at the surface level, also the ends of edges from walls that are farther somewhere.
 [[nodiscard]] std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const TriangleMesh& solid,
-                                                       CoordinateType type, double distance,
+                                                       CoordinateType type, const ErrorBound& bound,
                                                        const std::stop_token& stop = {});
 
 } // namespace proveout

@@ -19,8 +19,8 @@ double gapAt(double a, double b) {
 
 } // namespace
 
-SolidFrame::SolidFrame(const ZMapSnapshot& zmap)
-    : m_zmap(&zmap), m_gapZ(gapAt(zmap.stock().topZ(), zmap.stock().floorZ())) {
+SolidFrame::SolidFrame(const ZMapSnapshot& zmap, CoordinateType coordinates)
+    : m_zmap(&zmap), m_coordinates(coordinates), m_gapZ(gapAt(zmap.stock().topZ(), zmap.stock().floorZ())) {
     const Grid& grid = zmap.grid();
     m_gapXY = std::max(gapAt(grid.x(0), grid.x(grid.nx - 1)), gapAt(grid.y(0), grid.y(grid.ny - 1)));
     if (zmap.walls().empty())

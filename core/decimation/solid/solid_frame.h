@@ -17,7 +17,10 @@ namespace proveout {
 /// Holds a reference to the z-map.
 class SolidFrame {
 public:
-    explicit SolidFrame(const ZMapSnapshot& zmap);
+    /// `coordinates`: in which the solid must be sound.
+    explicit SolidFrame(const ZMapSnapshot& zmap, CoordinateType coordinates = CoordinateType::float32);
+
+    [[nodiscard]] CoordinateType coordinates() const { return m_coordinates; }
 
     [[nodiscard]] int nx() const { return m_zmap->grid().nx; }
     [[nodiscard]] int ny() const { return m_zmap->grid().ny; }
@@ -68,6 +71,7 @@ public:
 private:
     const ZMapSnapshot* m_zmap;
     std::vector<bool> m_isBesideWall; ///< by point; empty: none is
+    CoordinateType m_coordinates;
     double m_gapZ;
     double m_gapXY;
 };

@@ -111,12 +111,12 @@ RimTilePtr RimFinder::rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::si
                              const std::stop_token& stop) const {
     const auto ranges = m_index.over(tile, motions);
     const bool isUncutBox = ranges.empty() && m_uncut == nullptr;
-    if (stop.stop_requested() || isUncutBox || !mayHaveRims(zmap, tile, RimEdges::betweenLevels))
+    if (stop.stop_requested() || isUncutBox || !mayHaveRims(zmap, tile, RimEdges::atLevels))
         return nullptr;
     std::vector<CutterMotion> near;
     for (const Program::MotionRange& range : ranges)
         addCutterMotions(*m_program, range, *m_setup, m_tools, near);
-    return rimsOfTile(zmap, tile, m_uncut.get(), near, stop, RimEdges::betweenLevels);
+    return rimsOfTile(zmap, tile, m_uncut.get(), near, stop, RimEdges::atLevels);
 }
 
 void RimFinder::adopt(std::size_t tile, RimTilePtr rims, std::size_t end) {

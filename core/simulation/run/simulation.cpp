@@ -211,7 +211,7 @@ Frame Simulation::frame() const {
     frame.parameters = state.parameters;
     frame.zmap = state.atRest.isShown() ? state.atRest.zmap() : zmap();
     frame.surface = state.atRest.isShown() ? state.atRest.snapshot() : state.surface.snapshot();
-    frame.level = state.atRest.isShown() ? state.atRest.level(state.parameters) : ErrorLevel::sample;
+    frame.level = state.atRest.isShown() ? state.parameters.level : ErrorLevel::sample;
     frame.statistics = state.rows;
     frame.findings = state.stockFindings;
     append(frame.findings, state.setupFindings);

@@ -27,10 +27,6 @@ public:
     [[nodiscard]] const SurfaceSnapshot& snapshot() const { return m_surface.snapshot(); }
     /// What it was made from, with walls; the same.
     [[nodiscard]] const ZMapSnapshot& zmap() const { return *m_zmap; }
-    /// Where its errors are bounded; the same. Beside walls it is not the surface of the plain z-map.
-    [[nodiscard]] ErrorLevel level(const DecimationParameters& parameters) const {
-        return m_zmap->walls().empty() ? parameters.level : ErrorLevel::sample;
-    }
 
 private:
     RimFinder m_rims;

@@ -76,13 +76,17 @@ TEST(WallSurface, DecimatedSolidsHaveWallsOnTheirOutlineAndTheirVolume) {
             const IndexRect all{0, 0, map.grid().nx, map.grid().ny};
             for (const std::uint32_t wall : map.moment().walls().offsetsIn(all))
                 EXPECT_TRUE(vertices.contains(wall)) << wall % nx << " " << wall / nx;
+            DecimationParameters everyPoint;
+            everyPoint.method = DecimationMethod::none;
             ZMapSnapshot moment = map.moment();
-            const TriangleMesh full = *closeWithWalls(moment, surface.triangles(), 0);
+            const TriangleMesh full =
+                *closeWithWalls(moment, surface.triangles(), everyPoint, CoordinateType::float32);
             expectWalls(map, region, full, 0);
-            const TriangleMesh simple = *closeWithWalls(moment, surface.triangles(), parameters.allowance);
+            const TriangleMesh simple =
+                *closeWithWalls(moment, surface.triangles(), parameters, CoordinateType::float32);
             EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
             expectWalls(map, region, simple, kWallShare * parameters.allowance);
-            EXPECT_LE(measureSolidError(map.moment(), simple, CoordinateType::float32, ErrorLevel::sample),
+            EXPECT_LE(measureSolidError(map.moment(), simple, CoordinateType::float32, ErrorLevel::surface),
                       parameters.allowance);
             if (region.name != "circle") { // its chords are as long as the allowance lets them be already
                 EXPECT_LE(4 * steepCount(simple), steepCount(full));
@@ -106,11 +110,11 @@ TEST(WallSurface, WallsThatTheGridDoesNotResolveLeaveOthersWhereTheyStand) {
     parameters.allowance = 0.02;
     SurfaceSnapshot surface = decimatedWhole(map.moment(), parameters);
     ZMapSnapshot moment = map.moment();
-    const auto solid = closeWithWalls(moment, surface.triangles(), parameters.allowance);
+    const auto solid = closeWithWalls(moment, surface.triangles(), parameters, CoordinateType::float32);
     ASSERT_TRUE(solid.has_value());
     EXPECT_EQ(whatIsWrong(*solid), "");
     EXPECT_LT(moment.walls().count(), map.moment().walls().count());
-    EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::sample),
+    EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::surface),
               parameters.allowance);
     std::size_t ofPocket = 0;
     forEachSteep(*solid, [&](const std::array<Vec3, 3>& corners) {
@@ -142,10 +146,8 @@ TEST(WallSurface, PartsThatAreCutThroughHaveTheirWalls) {
             ZMapSnapshot moment = map.moment();
             SurfaceSnapshot surface = decimatedWhole(moment, parameters);
             const auto solid =
-                closeWithWalls(moment, surface.triangles(), parameters.allowance, {}, CutThroughWalls::drawn);
+                closeWithWalls(moment, surface.triangles(), parameters, CoordinateType::float32);
             ASSERT_TRUE(solid.has_value());
-            EXPECT_FALSE(closeWithWalls(moment, surface.triangles(), parameters.allowance))
-                << "not asked for";
             EXPECT_EQ(whatIsWrong(*solid), "");
             EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
             if (region.area > 0) {

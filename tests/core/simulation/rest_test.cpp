@@ -24,11 +24,6 @@ std::vector<LatticeTriangle> fromScratch(const Frame& frame) {
     return surface.snapshot().triangles();
 }
 
-/// Beside walls the surface is not that of the plain z-map.
-ErrorLevel levelAtRest(const Frame& frame) {
-    return frame.zmap.walls().empty() ? frame.parameters.level : ErrorLevel::sample;
-}
-
 TEST(AtRest, ShowsTheSameHoweverOneGotThere) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -64,7 +59,7 @@ TEST(AtRest, ShowsTheSameHoweverOneGotThere) {
         simulation->refine();
         EXPECT_FALSE(simulation->canRefine());
         const Frame frame = simulation->frame();
-        EXPECT_EQ(frame.level, levelAtRest(frame));
+        EXPECT_EQ(frame.level, frame.parameters.level);
         EXPECT_EQ(frame.surface.dirtyRegions, 0U);
         ASSERT_EQ(frame.surface.triangles(), fromScratch(frame)) << "round " << round;
     }
@@ -76,7 +71,7 @@ TEST(AtRest, DoesNotTouchTheSurfaceOfTheSchedule) {
     const auto simulation = startedSimulation(program, smallSetup(), smallRegions());
     for (std::size_t block = 1; block <= 60; ++block) {
         simulation->refine();
-        EXPECT_EQ(simulation->frame().level, levelAtRest(simulation->frame()));
+        EXPECT_EQ(simulation->frame().level, smallRegions().level);
         simulation->step();
         ASSERT_EQ(difference(simulation->frame(), straight[block]), "") << "block " << block;
         EXPECT_EQ(simulation->frame().level, ErrorLevel::sample);

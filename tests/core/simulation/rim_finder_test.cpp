@@ -63,7 +63,7 @@ std::vector<RimTilePtr> rimsByDefinition(const Simulation& simulation, const pro
         cutterMotions(simulation.program(), 0, simulation.position(), setup, simulation.tools());
     std::vector<RimTilePtr> rims;
     for (std::size_t tile = 0; tile < zmap.tileCount(); ++tile)
-        rims.push_back(rimsOfTile(zmap, tile, uncut.get(), motions, {}, RimEdges::betweenLevels));
+        rims.push_back(rimsOfTile(zmap, tile, uncut.get(), motions, {}, RimEdges::atLevels));
     return rims;
 }
 
