@@ -3,16 +3,12 @@
 
 namespace proveout {
 
-namespace {
-
 double distanceToSegment(const Vec3& point, const Vec3& a, const Vec3& b) {
     const Vec3 way = b - a;
     const double length2 = glm::dot(way, way);
     const double t = length2 > 0 ? glm::clamp(glm::dot(point - a, way) / length2, 0.0, 1.0) : 0.0;
     return glm::length(point - (a + t * way));
 }
-
-} // namespace
 
 double distanceToTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 normal = glm::cross(b - a, c - a);

@@ -38,6 +38,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/decimation/regions/region_decimator.h"
 #include "core/decimation/solid/corners.h"
 #include "core/decimation/solid/level_folds.h"
 #include "core/decimation/solid/round_walls.h"

@@ -43,6 +43,7 @@ public:
             for (const std::uint32_t point : surface[t])
                 isNear[point] = true;
         }
+        m_triangleAt.reserve(4 * m_toLookAt.size()); // three edges, and some more triangles
         for (std::size_t t = 0; t < surface.size(); ++t) {
             if (std::ranges::any_of(surface[t], [&](auto point) { return isNear[point]; }))
                 link(t);

@@ -27,6 +27,11 @@ constexpr double kCoplanar = 1e-5; ///< mm
 /// The vertical part of normals: up to the first, of walls; up to the second, of slopes beside creases.
 constexpr double kSheet = 0.05;
 constexpr double kSlope = 0.65;
+/// Points of straight walls are as near to the line between their neighbours, as a part of a cell: rims are
+/// known to 65 536ths.
+constexpr double kStraight = 2.0 / 65536;
+/// The most slack, as a part of what is allowed.
+constexpr double kMostSlack = 0.05;
 constexpr int kMostPoints = 4096; ///< of the map, that are looked at for one triangle
 
 /// Vertices with more triangles around them are not removed, and none gets more.
@@ -40,7 +45,7 @@ class WallSimplifier {
 public:
     WallSimplifier(const SolidFrame& frame, double allowance, std::vector<LatticeTriangle>& surface)
         : m_frame(frame), m_zmap(frame.zmap()), m_surface(surface), m_allowance(allowance),
-          m_atWalls(kWallShare * allowance), m_cell(frame.cell()) {
+          m_atWalls(kWallShare * allowance), m_cell(frame.cell()), m_straight(kStraight * frame.cell()) {
         for (std::size_t t = 0; t < surface.size(); ++t)
             add(t);
     }
@@ -67,13 +72,19 @@ private:
         std::size_t index;         ///< in the surface
         LatticeTriangle corners;   ///< as Vertex
         std::vector<Vec3> removed; ///< points that this triangle is nearest to
+        double slack = 0;          ///< mm, by which others may be farther than the vertices and these
+    };
+    struct Steep {
+        Corners at;
+        std::size_t kept; ///< which of the kept ones
     };
     /// What a removal would make of the triangles around a vertex.
     struct Change {
         std::uint32_t to = 0;
-        double error = std::numeric_limits<double>::infinity();
+        double atVertex = 0; ///< how far the vertex is from the kept ones
         std::vector<Triangle> kept;
         std::vector<LatticeTriangle> corners; ///< of the kept ones
+        std::vector<Steep> steep;             ///< those of them
         std::vector<std::size_t> nearest;     ///< by removed point: of the kept ones
     };
 
@@ -85,7 +96,7 @@ private:
             corners[k] = vertexOf(m_surface[t][k], m_frame.isBesideWall(m_surface[t][k]));
             m_stars[corners[k]].push_back(static_cast<Triangle>(m_beside.size()));
         }
-        m_beside.push_back({t, corners, {}});
+        m_beside.push_back({t, corners, {}, 0});
     }
     Vertex vertexOf(std::uint32_t point, bool isWall) {
         const auto [known, isNew] = m_vertexOf.try_emplace(point, static_cast<Vertex>(m_at.size()));
@@ -131,18 +142,25 @@ private:
     void tryRemove(std::uint32_t vertex) {
         const std::vector<std::uint32_t> ring = ringOf(vertex);
         std::vector<Vec3> points{at(vertex)};
-        for (const Triangle triangle : m_stars[vertex])
-            points.insert(points.end(), m_beside[triangle].removed.begin(), m_beside[triangle].removed.end());
-        Change best;
-        for (const std::uint32_t to : ring) {
-            if (!m_isWall[to] || m_stars[to].size() > kMostAround)
-                continue;
-            Change change = changeTo(vertex, to, ring, points);
-            if (change.error < best.error)
-                best = std::move(change);
+        double slack = 0;
+        for (const Triangle triangle : m_stars[vertex]) {
+            const Beside& beside = m_beside[triangle];
+            points.insert(points.end(), beside.removed.begin(), beside.removed.end());
+            slack = std::max(slack, beside.slack);
         }
-        if (best.error <= m_atWalls)
-            apply(vertex, best, points, ring);
+        std::optional<Change> change = nearestChange(vertex, ring, points, m_atWalls - slack);
+        if (!change)
+            return;
+        // Between its neighbours on a straight wall, it is no farther than they are.
+        const bool isBetween =
+            change->atVertex <= m_straight && slack + change->atVertex <= kMostSlack * m_atWalls;
+        if (isBetween) {
+            points.erase(points.begin());
+            change->nearest.erase(change->nearest.begin());
+        }
+        apply(vertex, *change, points, ring);
+        for (const Triangle triangle : change->kept)
+            m_beside[triangle].slack = slack + (isBetween ? change->atVertex : 0);
     }
 
     /// Whether a removal would join two points of the outline, as a triangle of a side of the solid may.
@@ -153,18 +171,52 @@ private:
                });
     }
 
-    /// With an infinite error where it is not possible.
-    [[nodiscard]] Change changeTo(std::uint32_t vertex, std::uint32_t to,
-                                  const std::vector<std::uint32_t>& ring,
-                                  const std::vector<Vec3>& points) const {
-        Change change;
+    /// The change that leaves the vertex itself nearest to the wall, if all points are within `allowed` of
+    /// it, or else the next nearest.
+    [[nodiscard]] std::optional<Change> nearestChange(std::uint32_t vertex,
+                                                      const std::vector<std::uint32_t>& ring,
+                                                      const std::vector<Vec3>& points, double allowed) const {
+        std::vector<Change> possible;
+        for (const std::uint32_t to : ring) {
+            if (!m_isWall[to] || m_stars[to].size() > kMostAround || !isBeside(vertex, to, ring, allowed))
+                continue;
+            std::optional<Change> change = changeTo(vertex, to, ring);
+            if (!change)
+                continue;
+            change->atVertex = nearestTo(at(vertex), *change).first;
+            if (change->atVertex <= allowed)
+                possible.push_back(std::move(*change));
+        }
+        std::ranges::stable_sort(possible, {}, &Change::atVertex);
+        for (Change& change : possible) {
+            if (areWithin(points, allowed, change))
+                return std::move(change);
+        }
+        return std::nullopt;
+    }
+
+    /// Whether a line from `to` to another vertex of the ring passes a vertex at its edge of the wall. A
+    /// quick test, which few pass.
+    [[nodiscard]] bool isBeside(std::uint32_t vertex, std::uint32_t to,
+                                const std::vector<std::uint32_t>& ring, double allowed) const {
+        return std::ranges::any_of(ring, [&](std::uint32_t other) {
+            return other != to && m_isWall[other] &&
+                   distanceToSegment(at(vertex), at(to), at(other)) <= allowed;
+        });
+    }
+
+    /// Nothing where it is not possible.
+    [[nodiscard]] std::optional<Change> changeTo(std::uint32_t vertex, std::uint32_t to,
+                                                 const std::vector<std::uint32_t>& ring) const {
         const std::vector<std::uint32_t> other = ringOf(to);
         std::vector<std::uint32_t> common;
         std::ranges::set_intersection(ring, other, std::back_inserter(common));
         if (common.size() != 2)
-            return change; // else an edge would have more than two triangles
+            return std::nullopt; // else an edge would have more than two triangles
         if (joinsOutline(to, ring, other))
-            return change;
+            return std::nullopt;
+        Change change;
+        change.to = to;
         for (const Triangle triangle : m_stars[vertex]) {
             LatticeTriangle now = corners(triangle);
             if (has(now, to))
@@ -172,31 +224,36 @@ private:
             const LatticeTriangle was = now;
             std::ranges::replace(now, vertex, to);
             if (!mayBecome(at(was), at(now), at(vertex)) || (isAcross(now) && !isAcross(was)))
-                return change;
+                return std::nullopt;
+            if (isSteep(at(now)))
+                change.steep.push_back({at(now), change.kept.size()});
             change.kept.push_back(triangle);
             change.corners.push_back(now);
         }
-        change.to = to;
-        change.error = 0;
-        for (const Vec3& point : points) {
-            double least = std::numeric_limits<double>::infinity();
-            std::size_t nearest = 0;
-            for (std::size_t k = 0; k < change.corners.size(); ++k) {
-                const Corners now = at(change.corners[k]);
-                if (!isSteep(now))
-                    continue; // the point may be on it, but not on its edge
-                const double distance = distanceToTriangle(point, now[0], now[1], now[2]);
-                if (distance < least) {
-                    least = distance;
-                    nearest = k;
-                }
-            }
-            change.nearest.push_back(nearest);
-            change.error = std::max(change.error, least);
-            if (change.error > m_atWalls)
-                break;
-        }
         return change;
+    }
+
+    /// The least distance of a point from the steep triangles of a change, and which of them is the nearest:
+    /// it may be on others, but not on their edges.
+    [[nodiscard]] std::pair<double, std::size_t> nearestTo(const Vec3& point, const Change& change) const {
+        std::pair<double, std::size_t> nearest{std::numeric_limits<double>::infinity(), 0};
+        for (const Steep& steep : change.steep) {
+            const double distance = distanceToTriangle(point, steep.at[0], steep.at[1], steep.at[2]);
+            if (distance < nearest.first)
+                nearest = {distance, steep.kept};
+        }
+        return nearest;
+    }
+
+    /// Notes to which triangles the points belong then.
+    [[nodiscard]] bool areWithin(const std::vector<Vec3>& points, double allowed, Change& change) const {
+        for (const Vec3& point : points) {
+            const auto [distance, nearest] = nearestTo(point, change);
+            if (distance > allowed)
+                return false;
+            change.nearest.push_back(nearest);
+        }
+        return true;
     }
 
     /// Whether it is so flat that its normal says nothing.
@@ -292,7 +349,7 @@ private:
     void apply(std::uint32_t vertex, const Change& change, const std::vector<Vec3>& points,
                const std::vector<std::uint32_t>& ring) {
         for (const Triangle triangle : m_stars[vertex]) {
-            m_beside[triangle].removed.clear();
+            m_beside[triangle].removed = {};
             if (!has(corners(triangle), change.to))
                 continue;
             for (const Vertex corner : corners(triangle)) {
@@ -324,6 +381,7 @@ private:
     double m_allowance;
     double m_atWalls;
     double m_cell;
+    double m_straight;
     std::vector<Beside> m_beside;
     std::unordered_map<std::uint32_t, Vertex> m_vertexOf; ///< by point
     std::vector<std::uint32_t> m_points;                  ///< by vertex, as all that follow
