@@ -23,8 +23,10 @@ bool isBetween(const Vec2& place, const Vec2& from, const Vec2& to, const Vec2& 
 
 CellWalls::CellWalls(const RimSurroundings& around, int i, int j, bool high)
     : m_around(around), m_i(i), m_j(j), m_isHigh(high) {
+    const unsigned edges = around.edgesOf(i, j, high);
     for (std::size_t edge = 0; edge < kEdges.size(); ++edge)
-        look(edge);
+        if ((edges >> edge & 1U) != 0)
+            look(edge);
 }
 
 std::optional<WallPlace> CellWalls::sharp(int corner) const {

@@ -69,6 +69,13 @@ public:
                         static_cast<std::size_t>(i - m_rect.i0)];
     }
 
+    /// Which edges of a cell, given by its first point, have such a crossing: a bit each for its south,
+    /// north, west and east one.
+    [[nodiscard]] unsigned edgesOf(int i, int j, bool high) const {
+        const auto place = placeOf(i, j, false, high);
+        return place ? m_cells[*place / 4 * 2 + (high ? 1 : 0)] : 0U;
+    }
+
     /// Of the edge from (i, j) to one of its neighbours, on the high or low side of its wall, where the
     /// surface is level up to the wall.
     [[nodiscard]] std::optional<RimCrossing> crossing(int i, int j, const GridStep& step, bool high) const {
@@ -105,6 +112,7 @@ private:
             return;
         if (m_rims.empty()) {
             m_rims.resize(std::size_t{2} * 2 * kWidth * kWidth, nullptr);
+            m_cells.resize(std::size_t{2} * kWidth * kWidth);
             m_isNear.resize(std::size_t{Tile::kSize} * Tile::kSize);
         }
         for (const Rim& rim : tile->rims) {
@@ -115,10 +123,19 @@ private:
                 const auto place = placeOf(i, j, edge.alongY, high);
                 if (place && rim.has(high) && isLevelBeside(rim, i, j, edge.alongY, high)) {
                     m_rims[*place] = &rim;
+                    markCells(i, j, edge.alongY, high);
                     markAround(i, j, edge.alongY);
                 }
             }
         }
+    }
+    void markCells(int i, int j, bool alongY, bool high) {
+        const auto mark = [&](int x, int y, unsigned bit) {
+            if (const auto place = placeOf(x, y, false, high))
+                m_cells[*place / 4 * 2 + (high ? 1 : 0)] |= static_cast<std::uint8_t>(1U << bit);
+        };
+        mark(i, j, alongY ? 2 : 0);
+        mark(alongY ? i - 1 : i, alongY ? j : j - 1, alongY ? 3 : 1);
     }
     /// The corners of the cells on both sides of an edge, and of those at its ends.
     void markAround(int i, int j, bool alongY) {
@@ -151,8 +168,9 @@ private:
 
     const ZMapSnapshot& m_zmap;
     IndexRect m_rect;
-    std::vector<const Rim*> m_rims; ///< by edge, and by side where the surface is level
-    std::vector<bool> m_isNear;     ///< by point of the tile
+    std::vector<const Rim*> m_rims;    ///< by edge, and by side where the surface is level
+    std::vector<std::uint8_t> m_cells; ///< edgesOf() by cell and side
+    std::vector<bool> m_isNear;        ///< by point of the tile
 };
 
 } // namespace proveout

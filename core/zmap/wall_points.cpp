@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -95,7 +96,11 @@ private:
                                                        const) const {
         for (int corner = 0; corner < 4; ++corner) {
             for (const bool high : {false, true}) {
-                const CellWalls cell(m_around, m_i - corner % 2, m_j - corner / 2, high);
+                const int i = m_i - corner % 2;
+                const int j = m_j - corner / 2;
+                if (std::popcount(m_around.edgesOf(i, j, high)) != 2)
+                    continue; // these answers are about two walls
+                const CellWalls cell(m_around, i, j, high);
                 if (const auto place = (cell.*ask)(corner))
                     return place;
             }
