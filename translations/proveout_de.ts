@@ -8555,12 +8555,20 @@ Vorgabe: 0 mm</translation>
         <translation>Wände an Gitterpunkten</translation>
     </message>
     <message>
-        <source>{} of {} points beside walls are at points of the grid in the file: the grid does not resolve the walls around them, or the part is cut through.</source>
-        <translation>{} von {} Punkten neben Wänden liegen in der Datei an Punkten des Gitters: Das Gitter löst die Wände um sie herum nicht auf, oder das Teil ist durchgefräst.</translation>
-    </message>
-    <message>
         <source>Use a finer grid for walls that are close together.</source>
         <translation>Für Wände, die nahe beieinander stehen, ein feineres Gitter verwenden.</translation>
+    </message>
+    <message>
+        <source>{} of {} points beside walls are at points of the grid in the file: the grid does not resolve the walls around them.</source>
+        <translation>{} von {} Punkten an Wänden liegen in der Datei auf Punkten des Rasters: das Raster löst die Wände um sie nicht auf.</translation>
+    </message>
+    <message>
+        <source>Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 points, more than {} motions of the program are near the walls.</source>
+        <translation>Einige Wände in der Datei liegen auf Punkten des Rasters: in {} von {} Quadraten aus 64 × 64 Punkten sind mehr als {} Bewegungen des Programms nahe an den Wänden.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid: fewer motions are over each square then.</source>
+        <translation>Ein feineres Raster verwenden: dann liegen weniger Bewegungen über jedem Quadrat.</translation>
     </message>
 </context>
 <context>

@@ -8555,12 +8555,20 @@ Default: 0 mm</source>
         <translation>격자점에 놓인 벽</translation>
     </message>
     <message>
-        <source>{} of {} points beside walls are at points of the grid in the file: the grid does not resolve the walls around them, or the part is cut through.</source>
-        <translation>파일에서 벽 옆의 점 {}개(전체 {}개)가 격자점에 놓입니다. 격자가 그 주변의 벽을 구분하지 못하거나 부품이 관통 절삭되었기 때문입니다.</translation>
-    </message>
-    <message>
         <source>Use a finer grid for walls that are close together.</source>
         <translation>서로 가까운 벽에는 더 촘촘한 격자를 사용하십시오.</translation>
+    </message>
+    <message>
+        <source>{} of {} points beside walls are at points of the grid in the file: the grid does not resolve the walls around them.</source>
+        <translation>파일에서 벽 옆의 점 {}개(전체 {}개 중)가 격자점에 놓였습니다. 격자가 주변의 벽을 구분하지 못합니다.</translation>
+    </message>
+    <message>
+        <source>Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 points, more than {} motions of the program are near the walls.</source>
+        <translation>파일의 일부 벽이 격자점에 놓였습니다. 64 × 64점 정사각형 {}개(전체 {}개 중)에서 프로그램의 이동이 {}개보다 많이 벽 가까이를 지납니다.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid: fewer motions are over each square then.</source>
+        <translation>더 촘촘한 격자를 사용하십시오. 그러면 각 정사각형을 지나는 이동이 줄어듭니다.</translation>
     </message>
 </context>
 <context>

@@ -40,8 +40,16 @@ inline constexpr FindingRow kExportWallsOnGrid{
     PROVEOUT_TEXT("Core", "Walls at grid points"),
     PROVEOUT_TEXT("Core",
                   "{} of {} points beside walls are at points of the grid in the file: the grid does not "
-                  "resolve the walls around them, or the part is cut through."),
+                  "resolve the walls around them."),
     PROVEOUT_TEXT("Core", "Use a finer grid for walls that are close together.")};
+inline constexpr FindingRow kExportWallsUnknown{
+    Severity::note,
+    false,
+    "export-walls-unknown",
+    PROVEOUT_TEXT("Core", "Walls at grid points"),
+    PROVEOUT_TEXT("Core", "Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 "
+                          "points, more than {} motions of the program are near the walls."),
+    PROVEOUT_TEXT("Core", "Use a finer grid: fewer motions are over each square then.")};
 inline constexpr FindingRow kExportRoundingTooLarge{
     Severity::error,
     false,
@@ -109,8 +117,9 @@ inline constexpr FindingRow kStlCoordinate{
     ""};
 
 inline constexpr std::array kExportRows{
-    &kExportFormatUnknown,    &kExportRoundedBeyond, &kExportSetApart,      &kExportWallsOnGrid,
-    &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,         &kMeshCoordinate,
-    &kCancelledWriting,       &kStlTooCoarse,        &kStlTooManyTriangles, &kStlCoordinate};
+    &kExportFormatUnknown, &kExportRoundedBeyond,    &kExportSetApart,      &kExportWallsOnGrid,
+    &kExportWallsUnknown,  &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,
+    &kMeshCoordinate,      &kCancelledWriting,       &kStlTooCoarse,        &kStlTooManyTriangles,
+    &kStlCoordinate};
 
 } // namespace proveout::export_finding

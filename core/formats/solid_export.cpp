@@ -82,6 +82,11 @@ Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshF
         exported.warnings.push_back(
             diagnosticOf(export_finding::kExportWallsOnGrid,
                          {std::to_string(solid.wallPointsOnGrid()), std::to_string(solid.wallPoints())}));
+    if (const std::size_t unknown = unknownTiles(solid.zmap().rims()); unknown > 0)
+        exported.warnings.push_back(
+            diagnosticOf(export_finding::kExportWallsUnknown,
+                         {std::to_string(unknown), std::to_string(solid.zmap().tileCount()),
+                          std::to_string(kMostMotionsOfRims)}));
     for (Diagnostic& warning : exported.warnings)
         warning.file = file.string();
     auto written = format.write(file, solid.mesh(), context.part(kMeasured, 1));

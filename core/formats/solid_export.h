@@ -22,6 +22,7 @@ public:
     /// `mesh`: of closeSolid(zmap, …). `level`: where it is measured.
     SolidForExport(const ZMapSnapshot& zmap, TriangleMesh mesh, ErrorLevel level);
 
+    [[nodiscard]] const ZMapSnapshot& zmap() const { return *m_zmap; }
     [[nodiscard]] const TriangleMesh& mesh() const { return m_mesh; }
     /// How many points the map had beside walls before the solid was closed: closeWithWalls() may draw some
     /// of them at the points of the grid.
@@ -52,8 +53,8 @@ struct ExportedSolid {
 /// Writes a solid and measures the contents of the file. Warnings report that its error exceeds the allowance
 /// of `promised` (0: there is none) because of the rounding of coordinates (id "export-rounded-beyond"), or,
 /// if the method is bounded, because of parts that were set apart (id "export-set-apart"). A note reports
-/// walls that are at points of the grid (id "export-walls-on-grid"). Any thread. Errors: those of the writer,
-/// cancelled.
+/// walls that are at points of the grid (id "export-walls-on-grid", "export-walls-unknown"). Any thread.
+/// Errors: those of the writer, cancelled.
 [[nodiscard]] Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
                                                 SolidForExport& solid, const DecimationParameters& promised,
                                                 const WorkContext& context = {});

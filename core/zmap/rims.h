@@ -61,15 +61,27 @@ struct RimEdge {
     }
 };
 
+/// More motions near the walls of a tile take too long, and too much memory.
+inline constexpr std::size_t kMostMotionsOfRims = 32'768;
+
 /// The rims of a tile, by ascending edges. Immutable once published.
 struct RimTile {
     std::vector<Rim> rims;
+    bool areUnknown = false; ///< too many motions are near its walls: it has no rims
     friend bool operator==(const RimTile&, const RimTile&) = default;
 };
 using RimTilePtr = std::shared_ptr<const RimTile>;
 
 /// Per tile of a z-map; null: no rim. Empty: rims are not known. Equal pointers mean equal rims.
 using RimMap = PersistentArray<RimTilePtr>;
+
+/// The number of tiles whose rims are not known.
+[[nodiscard]] inline std::size_t unknownTiles(const RimMap& rims) {
+    std::size_t count = 0;
+    for (std::size_t tile = 0; tile < rims.size(); ++tile)
+        count += rims[tile] != nullptr && rims[tile]->areUnknown ? 1 : 0;
+    return count;
+}
 
 /// The number of rims in all tiles.
 [[nodiscard]] inline std::size_t countOf(const RimMap& rims) {

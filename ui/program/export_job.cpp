@@ -16,6 +16,7 @@
 #include "core/formats/export_findings.h"
 #include "core/formats/file_allowance.h"
 #include "core/formats/solid_export.h"
+#include "core/simulation/run/rim_finder.h"
 #include "core/verification/findings/window_findings.h"
 #include "ui/document/file_paths.h"
 #include "ui/program/export_memory.h"
@@ -24,10 +25,11 @@ namespace proveout {
 
 namespace {
 
-/// Progress at the end of each step; decimation takes most of the time.
+constexpr double kWalls = 0.05; ///< of the progress
+/// Progress of making a solid at the end of each step; decimation takes most of the time.
 constexpr double kDecimated = 0.76;
 constexpr double kClosed = 0.88;
-/// The same of a solid that is within the allowance, before it is written.
+/// Of the whole, when a solid is within the allowance, before it is written.
 constexpr double kMade = 0.88;
 
 DecimationParameters parametersOf(const Frame& frame, const ExportOptions& options) {
@@ -35,6 +37,19 @@ DecimationParameters parametersOf(const Frame& frame, const ExportOptions& optio
     if (!options.decimated)
         parameters.method = DecimationMethod::none;
     return parameters;
+}
+
+/// The map with all walls; that of a moment while something is cut has some or none. Decimation as in the
+/// paper has none.
+ZMapSnapshot mapToExport(const Frame& frame, const DecimationParameters& parameters,
+                         const WorkContext& context) {
+    ZMapSnapshot zmap = frame.zmap;
+    if (!zmap.rims().empty())
+        return zmap;
+    zmap.setWalls({});
+    const bool hasWalls =
+        parameters.method == DecimationMethod::certified || parameters.method == DecimationMethod::none;
+    return hasWalls ? RimFinder().find(frame, context) : zmap;
 }
 
 tl::unexpected<Diagnostics> cancelled() {
@@ -120,9 +135,9 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (Result<void> writable = checkTarget(file, bytes); !writable)
         return tl::unexpected(std::move(writable.error()));
     FileAllowance allowance(parameters, coordinates, stock);
-    ZMapSnapshot zmap = frame.zmap;
+    ZMapSnapshot zmap = mapToExport(frame, parameters, context.part(0, kWalls));
     const std::size_t wallPoints = zmap.walls().count();
-    Result<SolidForExport> solid = makeSolid(zmap, allowance, memory, context.part(0, kMade));
+    Result<SolidForExport> solid = makeSolid(zmap, allowance, memory, context.part(kWalls, kMade));
     if (!solid)
         return tl::unexpected(std::move(solid.error()));
     if (solid->mesh().triangles.empty())

@@ -66,10 +66,13 @@ struct Wanted {
     float most;  ///< of the edges before and after it
     float level; ///< or of one of them; negative: none
 
-    Wanted(RimEdges edges, double spacing)
+    /// `height`: of the stock, mm.
+    Wanted(RimEdges edges, double spacing, double height)
         : least(static_cast<float>(kWallSlope * spacing)),
           most(edges == RimEdges::all ? std::numeric_limits<float>::infinity() : least),
-          level(edges != RimEdges::atLevels ? -1.0F : static_cast<float>(kLevelSlope * spacing)) {}
+          level(edges != RimEdges::atLevels
+                    ? -1.0F
+                    : static_cast<float>(kLevelSlope * spacing + kLevelRounding * height)) {}
 };
 
 /// Falls at levels count so many times as much.
@@ -130,8 +133,8 @@ std::vector<FallingEdge> fallingEdges(const ZMapSnapshot& zmap, std::size_t tile
     std::vector<FallingEdge> edges;
     RowMarks alongX;
     RowMarks alongY;
-    const Wanted wantedX(wanted, grid.hx);
-    const Wanted wantedY(wanted, grid.hy);
+    const Wanted wantedX(wanted, grid.hx, zmap.stock().height);
+    const Wanted wantedY(wanted, grid.hy, zmap.stock().height);
     const int edgesX = std::min(rect.width(), grid.nx - 1 - rect.i0);
     const int edgesY = std::min(rect.height(), grid.ny - 1 - rect.j0);
     for (int j = 0; j < rect.height(); ++j) {

@@ -16,8 +16,10 @@ namespace proveout {
 /// The slope, beyond that of the edge before it, above which an edge may have a wall.
 inline constexpr double kWallSlope = 0.25;
 
-/// The largest slope of what is a level, and the least of one that leaves it or comes down to it.
-inline constexpr double kLevelSlope = 1.0 / 1024;
+/// The largest slope of what is a level beside the rounding of its height, and the least of one that leaves
+/// it or comes down to it. The cusps between passes of a ball are as level as that in rare places alone.
+inline constexpr double kLevelSlope = 1.0 / 65536;
+inline constexpr double kLevelRounding = 2.4e-7; ///< of the height
 inline constexpr double kCreaseSlope = kWallSlope / 8;
 
 /// Which of these edges are looked at: all, or only those between parts of the surface that are nearly level,
@@ -40,7 +42,8 @@ struct FallingEdge {
     [[nodiscard]] bool isFromLevel(double length) const { return hasCreaseBeside(fallBefore, length); }
     [[nodiscard]] bool isToLevel(double length) const { return hasCreaseBeside(fallAfter, length); }
     [[nodiscard]] bool hasCreaseBeside(double fall, double length) const {
-        return high - low > kCreaseSlope * length && std::abs(fall) <= kLevelSlope * length;
+        return high - low > kCreaseSlope * length &&
+               std::abs(fall) <= kLevelSlope * length + kLevelRounding * std::abs(low);
     }
 };
 

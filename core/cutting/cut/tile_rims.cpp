@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/cutting/cut/falling_edges.h"
+#include "core/cutting/cut/near_sweeps.h"
 #include "core/cutting/cut/stock_crossing.h"
 #include "core/cutting/cut/sweep.h"
 
@@ -30,21 +31,7 @@ constexpr double kPasses = 1.0 / 64;
 constexpr double kCrease = 1.0 / 1024;
 constexpr int kHalvings = 20;
 
-/// Cutters this near, mm, may have cut a point in single precision.
-constexpr double kNear = 1e-4;
-
-/// An area in plan.
-struct Area {
-    Vec2 lo;
-    Vec2 hi;
-
-    [[nodiscard]] bool meets(const Box3& box) const {
-        return box.lo.x <= hi.x + kNear && box.hi.x >= lo.x - kNear && box.lo.y <= hi.y + kNear &&
-               box.hi.y >= lo.y - kNear;
-    }
-};
-
-Area areaOf(const EdgeLine& line) {
+PlanArea areaOf(const EdgeLine& line) {
     const Vec2 end = line.at(line.length);
     return {glm::min(line.from, end), glm::max(line.from, end)};
 }
@@ -52,12 +39,9 @@ Area areaOf(const EdgeLine& line) {
 /// The exact surface near one edge.
 class ExactSurface {
 public:
-    ExactSurface(const ZMapSnapshot& zmap, const StockTop* uncut)
-        : m_floor(-zmap.stock().height), m_uncut(uncut) {}
-
-    /// The lowest one first.
-    void add(const Sweep& sweep) { m_sweeps.push_back(&sweep); }
-    void clear() { m_sweeps.clear(); }
+    /// `sweeps`: the lowest one first.
+    ExactSurface(const ZMapSnapshot& zmap, const StockTop* uncut, std::vector<const Sweep*> sweeps)
+        : m_floor(-zmap.stock().height), m_uncut(uncut), m_sweeps(std::move(sweeps)) {}
 
     /// Relative to the top of the stock.
     [[nodiscard]] double height(const Vec2& place) const {
@@ -75,8 +59,11 @@ public:
         EdgeCrossing first;
         if (m_uncut != nullptr)
             first = crossingWithStock(*m_uncut, line);
-        for (const Sweep* sweep : m_sweeps)
+        for (const Sweep* sweep : m_sweeps) {
+            if (!(sweep->lowest() < line.height)) // where it begins, and from there it falls
+                break;
             sweep->findCrossing(line, first);
+        }
         return first;
     }
 
@@ -243,111 +230,37 @@ EdgeLine lineBelowPlateau(const FallingEdge& edge, const Grid& grid, const Index
     return line;
 }
 
-/// A quick test before the sweep is made.
-bool mayReach(const CutterMotion& motion, const Area& area) {
-    if (motion.cutter == nullptr)
-        return false;
-    const Motion& path = motion.motion;
-    Box3 box;
-    box.add(path.start);
-    box.add(path.end);
-    if (path.kind == MotionKind::arc)
-        for (const Vec3& place : {path.start, path.end}) {
-            const Vec3 reach(glm::distance(place, path.centre));
-            box.add(path.centre - reach);
-            box.add(path.centre + reach);
-        }
-    const Vec3 rim(motion.cutter->radius() + kNear);
-    box.lo -= rim;
-    box.hi += rim;
-    return area.meets(box);
-}
-
-/// The lowest one first.
-std::vector<Sweep> sweepsOver(const ZMapSnapshot& zmap, const IndexRect& tile,
-                              std::span<const CutterMotion> motions) {
-    const Grid& grid = zmap.grid();
-    const Area area{{grid.x(tile.i0), grid.y(tile.j0)}, {grid.x(tile.i1), grid.y(tile.j1)}};
-    std::vector<Sweep> sweeps;
-    for (const CutterMotion& motion : motions) {
-        if (!mayReach(motion, area))
-            continue;
-        Sweep sweep(*motion.cutter, motion.motion, zmap.stock().topZ());
-        if (!sweep.empty() && area.meets(sweep.reach()))
-            sweeps.push_back(std::move(sweep));
-    }
-    std::ranges::sort(sweeps, {}, &Sweep::lowest);
-    return sweeps;
-}
-
-/// The sweeps over a tile, by squares of it, which are collected when they are first asked for.
-class SweepsOfTile {
-public:
-    SweepsOfTile(const ZMapSnapshot& zmap, const IndexRect& tile, std::span<const CutterMotion> motions)
-        : m_grid(zmap.grid()), m_tile(tile), m_sweeps(sweepsOver(zmap, tile, motions)) {
-        m_reaches.reserve(m_sweeps.size());
-        for (const Sweep& sweep : m_sweeps)
-            m_reaches.push_back(sweep.reach());
-    }
-
-    /// Makes `surface` that of an edge.
-    void select(const RimEdge& edge, const Area& area, ExactSurface& surface) {
-        Square& square = m_squares[static_cast<std::size_t>(edge.j / kPoints * kSquares + edge.i / kPoints)];
-        if (!square.collected)
-            collect(square, m_tile.i0 + edge.i / kPoints * kPoints, m_tile.j0 + edge.j / kPoints * kPoints);
-        surface.clear();
-        for (const std::size_t k : square.sweeps)
-            if (area.meets(m_reaches[k]))
-                surface.add(m_sweeps[k]);
-    }
-
-private:
-    static constexpr int kPoints = 8;
-    static constexpr int kSquares = Tile::kSize / kPoints;
-    struct Square {
-        bool collected = false;
-        std::vector<std::size_t> sweeps; ///< ascending, as are their lowest heights
-    };
-
-    void collect(Square& square, int i, int j) const {
-        const Area area{{m_grid.x(i), m_grid.y(j)}, {m_grid.x(i + kPoints), m_grid.y(j + kPoints)}};
-        for (std::size_t k = 0; k < m_reaches.size(); ++k)
-            if (area.meets(m_reaches[k]))
-                square.sweeps.push_back(k);
-        square.collected = true;
-    }
-
-    const Grid& m_grid;
-    IndexRect m_tile;
-    std::vector<Sweep> m_sweeps;
-    std::vector<Box3> m_reaches;
-    std::array<Square, std::size_t{kSquares} * kSquares> m_squares;
-};
-
 } // namespace
 
-bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted) {
-    return !fallingEdges(zmap, tile, wanted).empty();
+TileRimSearch::TileRimSearch(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted)
+    : m_zmap(zmap), m_tile(zmap.tileRect(tile)), m_wanted(wanted), m_edges(fallingEdges(zmap, tile, wanted)),
+      m_sweeps(zmap, m_tile, m_edges) {}
+
+RimTilePtr TileRimSearch::find(const StockTop* uncut, const std::stop_token& stop) {
+    if (m_edges.empty())
+        return nullptr;
+    RimTile rims;
+    rims.areUnknown = m_sweeps.isFull();
+    if (rims.areUnknown)
+        return std::make_shared<const RimTile>(std::move(rims));
+    m_sweeps.sort();
+    for (const FallingEdge& edge : m_edges) {
+        if (stop.stop_requested())
+            return nullptr;
+        const EdgeLine line = lineBelowPlateau(edge, m_zmap.grid(), m_tile);
+        const ExactSurface surface(m_zmap, uncut, m_sweeps.over(edge.edge, areaOf(line)));
+        if (const std::optional<Rim> rim = rimOn(edge, line, surface, m_wanted))
+            rims.rims.push_back(*rim);
+    }
+    return rims.rims.empty() ? nullptr : std::make_shared<const RimTile>(std::move(rims));
 }
 
 RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
                       std::span<const CutterMotion> motions, const std::stop_token& stop, RimEdges wanted) {
-    const std::vector<FallingEdge> edges = fallingEdges(zmap, tile, wanted);
-    if (edges.empty())
-        return nullptr;
-    const IndexRect rect = zmap.tileRect(tile);
-    SweepsOfTile sweeps(zmap, rect, motions);
-    ExactSurface surface(zmap, uncut);
-    RimTile rims;
-    for (const FallingEdge& edge : edges) {
-        if (stop.stop_requested())
-            return nullptr;
-        const EdgeLine line = lineBelowPlateau(edge, zmap.grid(), rect);
-        sweeps.select(edge.edge, areaOf(line), surface);
-        if (const std::optional<Rim> rim = rimOn(edge, line, surface, wanted))
-            rims.rims.push_back(*rim);
-    }
-    return rims.rims.empty() ? nullptr : std::make_shared<const RimTile>(std::move(rims));
+    TileRimSearch search(zmap, tile, wanted);
+    for (const CutterMotion& motion : motions)
+        search.add(motion);
+    return search.find(uncut, stop);
 }
 
 } // namespace proveout

@@ -5,22 +5,43 @@
 #include <cstddef>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/falling_edges.h"
+#include "core/cutting/cut/near_sweeps.h"
 #include "core/zmap/rims.h"
 #include "core/zmap/stock_shape.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
 
-/// Whether an edge of the tile falls so much that a wall may cross it; if not, it has no rims whatever was
-/// cut.
-[[nodiscard]] bool mayHaveRims(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted = RimEdges::all);
+/// Finds the rims of a tile of `zmap` motion by motion, so that not all of them are in memory. Refers to the
+/// map. Owned by one thread.
+class TileRimSearch {
+public:
+    TileRimSearch(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted);
+
+    /// Whether there are no rims, whatever was cut.
+    [[nodiscard]] bool hasNone() const { return m_edges.empty(); }
+    void add(const CutterMotion& motion) { m_sweeps.add(motion); }
+    /// Whether the rims are unknown, whatever else was cut.
+    [[nodiscard]] bool isFull() const { return m_sweeps.isFull(); }
+    /// As rimsOfTile(). Call it once.
+    [[nodiscard]] RimTilePtr find(const StockTop* uncut, const std::stop_token& stop);
+
+private:
+    const ZMapSnapshot& m_zmap;
+    IndexRect m_tile;
+    RimEdges m_wanted;
+    std::vector<FallingEdge> m_edges;
+    NearSweeps m_sweeps;
+};
 
 /// The rims of a tile of `zmap` after exactly `motions` have been cut, in any order, from a stock whose top
 /// was `uncut` (null: the whole box). Motions that cannot reach the tile may be left out. Null if there is no
-/// rim, and after a stop. Any thread. The result is the same for any order of the motions, to the last bit.
+/// rim, and after a stop; unknown if more than kMostMotionsOfRims motions are near its edges. Any thread. The
+/// result is the same for any order of the motions, to the last bit.
 ///
 /// On each edge that falls more steeply than the one before it (falling_edges.h), the surface first falls
 /// below a line a little lower than the continuation of the plateau at the edge's high end; that place is a

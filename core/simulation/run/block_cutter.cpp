@@ -411,11 +411,11 @@ std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t firs
     return motions;
 }
 
-void addCutterMotions(const Program& program, Program::MotionRange range, const Setup& setup,
-                      const ToolChoice& tools, std::vector<CutterMotion>& motions) {
+void eachCutterMotion(const Program& program, Program::MotionRange range, const Setup& setup,
+                      const ToolChoice& tools, const std::function<void(const CutterMotion&)>& visit) {
     CutterMotions inTurn(program, range.first, setup, tools);
     for (std::size_t index = range.first; index < range.last; ++index)
-        motions.push_back(inTurn.next(index, index));
+        visit(inTurn.next(index, index));
 }
 
 bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,

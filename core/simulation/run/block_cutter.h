@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -51,9 +52,9 @@ cutBlocksInTurn(ZMap& zmap, const Program& program, std::size_t first, std::size
                                                       std::size_t last, const Setup& setup,
                                                       const ToolChoice& tools);
 
-/// Adds the motions of a range of a program in the same way, but marked by 1 + their index.
-void addCutterMotions(const Program& program, Program::MotionRange range, const Setup& setup,
-                      const ToolChoice& tools, std::vector<CutterMotion>& motions);
+/// Visits the motions of a range of a program, made in the same way, but marked by 1 + their index.
+void eachCutterMotion(const Program& program, Program::MotionRange range, const Setup& setup,
+                      const ToolChoice& tools, const std::function<void(const CutterMotion&)>& visit);
 
 /// Cuts the blocks [first, last) at once, where only heights are needed, with the same result as cutBlock().
 /// False if it was stopped; the map is unchanged then.

@@ -19,6 +19,8 @@ constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMotionsOfLook = 1024;
 /// Tiles between two reports of progress.
 constexpr std::size_t kPortion = 256;
+/// The most motions over a tile that is looked at while the program is played: some milliseconds.
+constexpr std::size_t kMotionsInTime = 2000;
 
 std::size_t motionsOf(const Program& program, std::size_t blocks) {
     return blocks == 0 ? 0 : program.blockMotions(blocks - 1).last;
@@ -27,19 +29,44 @@ std::size_t motionsOf(const Program& program, std::size_t blocks) {
 } // namespace
 
 ZMapSnapshot RimFinder::find(const Frame& moment, const WorkContext& context) {
-    if (m_setup != moment.setup)
-        restart(moment);
-    else if (m_program != moment.program)
-        follow(moment);
-    const std::size_t motions = motionsOf(*m_program, moment.block);
+    const std::size_t motions = begin(moment);
     ZMapSnapshot zmap = moment.zmap;
     const bool done = readMotions(motions, context.stop) && findTiles(zmap, motions, context);
     if (!done)
         return zmap;
     zmap.setRims(m_rims);
-    m_walls = WallPoints(zmap, std::exchange(m_rimsOfWalls, m_rims), m_walls);
-    zmap.setWalls(m_walls);
+    makeWalls(zmap, m_rims);
     return zmap;
+}
+
+WallPoints RimFinder::findSome(const Frame& moment, std::chrono::nanoseconds time) {
+    const Clock::time_point until = Clock::now() + time;
+    const std::size_t motions = begin(moment);
+    if (!readMotions(motions, {}, until))
+        return {};
+    std::vector<std::size_t> unknown = outdatedTiles(motions);
+    findUntil(moment.zmap, motions, until, unknown);
+    RimMap known = m_rims;
+    for (const std::size_t tile : unknown)
+        if (std::as_const(known)[tile] != nullptr)
+            known.edit(tile) = nullptr;
+    ZMapSnapshot zmap = moment.zmap;
+    zmap.setRims(known);
+    makeWalls(zmap, known);
+    return m_walls;
+}
+
+std::size_t RimFinder::begin(const Frame& moment) {
+    if (m_setup != moment.setup)
+        restart(moment);
+    else if (m_program != moment.program)
+        follow(moment);
+    return motionsOf(*m_program, moment.block);
+}
+
+void RimFinder::makeWalls(ZMapSnapshot& zmap, const RimMap& rims) {
+    m_walls = WallPoints(zmap, std::exchange(m_rimsOfWalls, rims), m_walls);
+    zmap.setWalls(m_walls);
 }
 
 void RimFinder::restart(const Frame& moment) {
@@ -70,17 +97,13 @@ void RimFinder::follow(const Frame& moment) {
     m_program = moment.program;
 }
 
-bool RimFinder::readMotions(std::size_t motions, const std::stop_token& stop) {
-    std::vector<CutterMotion> some;
-    while (m_index.motionCount() < motions && !stop.stop_requested()) {
+bool RimFinder::readMotions(std::size_t motions, const std::stop_token& stop, Clock::time_point until) {
+    while (m_index.motionCount() < motions && !stop.stop_requested() && Clock::now() < until) {
         const std::size_t first = m_index.motionCount();
-        some.clear();
-        addCutterMotions(*m_program, {first, std::min(first + kMotionsOfLook, motions)}, *m_setup, m_tools,
-                         some);
-        for (const CutterMotion& one : some)
-            m_index.append(one);
+        eachCutterMotion(*m_program, {first, std::min(first + kMotionsOfLook, motions)}, *m_setup, m_tools,
+                         [&](const CutterMotion& motion) { m_index.append(motion); });
     }
-    return !stop.stop_requested();
+    return m_index.motionCount() >= motions;
 }
 
 bool RimFinder::findTiles(const ZMapSnapshot& zmap, std::size_t motions, const WorkContext& context) {
@@ -99,6 +122,24 @@ bool RimFinder::findTiles(const ZMapSnapshot& zmap, std::size_t motions, const W
     return true;
 }
 
+void RimFinder::findUntil(const ZMapSnapshot& zmap, std::size_t motions, Clock::time_point until,
+                          std::vector<std::size_t>& tiles) {
+    std::rotate(tiles.begin(), std::ranges::lower_bound(tiles, m_nextTile), tiles.end());
+    std::vector<std::size_t> left;
+    for (const std::size_t tile : tiles) {
+        std::size_t over = 0;
+        for (const Program::MotionRange& range : m_index.over(tile, motions))
+            over += range.last - range.first;
+        if (over > kMotionsInTime || Clock::now() >= until) {
+            left.push_back(tile);
+            continue;
+        }
+        adopt(tile, rimsOf(zmap, tile, motions, {}), m_index.endOver(tile, motions));
+        m_nextTile = tile + 1;
+    }
+    tiles = std::move(left);
+}
+
 std::vector<std::size_t> RimFinder::outdatedTiles(std::size_t motions) const {
     std::vector<std::size_t> tiles;
     for (std::size_t tile = 0; tile < m_ends.size(); ++tile)
@@ -111,12 +152,17 @@ RimTilePtr RimFinder::rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::si
                              const std::stop_token& stop) const {
     const auto ranges = m_index.over(tile, motions);
     const bool isUncutBox = ranges.empty() && m_uncut == nullptr;
-    if (stop.stop_requested() || isUncutBox || !mayHaveRims(zmap, tile, RimEdges::atLevels))
+    if (stop.stop_requested() || isUncutBox)
         return nullptr;
-    std::vector<CutterMotion> near;
-    for (const Program::MotionRange& range : ranges)
-        addCutterMotions(*m_program, range, *m_setup, m_tools, near);
-    return rimsOfTile(zmap, tile, m_uncut.get(), near, stop, RimEdges::atLevels);
+    TileRimSearch search(zmap, tile, RimEdges::atLevels);
+    if (search.hasNone())
+        return nullptr;
+    for (const Program::MotionRange& range : ranges) {
+        for (std::size_t first = range.first; first < range.last && !search.isFull(); first += kMotionsOfLook)
+            eachCutterMotion(*m_program, {first, std::min(first + kMotionsOfLook, range.last)}, *m_setup,
+                             m_tools, [&](const CutterMotion& motion) { search.add(motion); });
+    }
+    return search.find(m_uncut.get(), stop);
 }
 
 void RimFinder::adopt(std::size_t tile, RimTilePtr rims, std::size_t end) {

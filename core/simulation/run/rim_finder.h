@@ -2,6 +2,7 @@
 // Finds the rims of any moment of a simulation.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,16 +32,30 @@ public:
     /// next call.
     [[nodiscard]] ZMapSnapshot find(const Frame& moment, const WorkContext& context = {});
 
+    /// The walls of a moment, as far as they are found in some time, for pictures while the program is
+    /// played: those of tiles that are not looked at in time are left out, as are those of tiles over which
+    /// there are too many motions. What is found counts for the next call.
+    [[nodiscard]] WallPoints findSome(const Frame& moment, std::chrono::nanoseconds time);
+
 private:
+    using Clock = std::chrono::steady_clock;
+
+    /// Makes this the finder of a moment; returns its motions.
+    std::size_t begin(const Frame& moment);
     void restart(const Frame& moment);
     /// Keeps what the last program has in common with that of the moment.
     void follow(const Frame& moment);
     /// Both are false if they were stopped; `motions` of the program have been cut.
-    bool readMotions(std::size_t motions, const std::stop_token& stop);
+    bool readMotions(std::size_t motions, const std::stop_token& stop,
+                     Clock::time_point until = Clock::time_point::max());
     bool findTiles(const ZMapSnapshot& zmap, std::size_t motions, const WorkContext& context);
     [[nodiscard]] std::vector<std::size_t> outdatedTiles(std::size_t motions) const;
     [[nodiscard]] RimTilePtr rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::size_t motions,
                                     const std::stop_token& stop) const;
+    /// Looks at some of the tiles, and leaves the others in `tiles`.
+    void findUntil(const ZMapSnapshot& zmap, std::size_t motions, Clock::time_point until,
+                   std::vector<std::size_t>& tiles);
+    void makeWalls(ZMapSnapshot& zmap, const RimMap& rims);
     void adopt(std::size_t tile, RimTilePtr rims, std::size_t end);
 
     std::shared_ptr<const Setup> m_setup;     ///< of the last moment; null: there was none
@@ -51,6 +66,7 @@ private:
     RimMap m_rims;
     RimMap m_rimsOfWalls; ///< those from which the walls were made
     WallPoints m_walls;
+    std::size_t m_nextTile = 0;        ///< where findSome() goes on
     std::vector<std::uint32_t> m_ends; ///< by tile: MotionIndex::endOver() of the motions of its rims
 };
 

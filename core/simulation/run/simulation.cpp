@@ -168,9 +168,9 @@ bool Simulation::canRefine() const {
     return canMerge(state.parameters) && state.schedule.repeats() && state.atRest.isWanted();
 }
 
-void Simulation::refine(const WorkContext& context) {
+void Simulation::refine(RimFinder& rims, const WorkContext& context) {
     if (canRefine())
-        m_state->atRest.follow(frame(), m_state->surface.faces(), context);
+        m_state->atRest.follow(frame(), rims, m_state->surface.faces(), context);
 }
 
 SurfaceSnapshot Simulation::decimatedNow(const WorkContext& context) const {

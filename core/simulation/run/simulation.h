@@ -14,6 +14,8 @@
 
 namespace proveout {
 
+class RimFinder;
+
 /// Runs one program on one stock. Owned by one thread. The state after block n depends only on program, setup
 /// and parameters, not on earlier steps and seeks: the z-map bit for bit, and the surface by the logical
 /// schedule (at every s-th motion block the dirty regions are decimated).
@@ -79,10 +81,11 @@ public:
     /// Whether refine() has anything to do: the certified method shows its surface at the requested level,
     /// and merges regions, while nothing is cut.
     [[nodiscard]] bool canRefine() const;
-    /// Makes the refined surface that frame() shows until the next block; it too is a function of z-map and
+    /// Makes the refined surface that frame() shows until the next block, with the walls that `rims` finds
+    /// (any moments may have been found before); it too is a function of z-map and
     /// parameters. Statistics always describe the surface of the schedule. With a stopped context or without
     /// enough memory the surface of the schedule remains visible.
-    void refine(const WorkContext& context = {});
+    void refine(RimFinder& rims, const WorkContext& context = {});
 
     /// The surface at this position with every region decimated, independent of the schedule, with
     /// forExport() parameters. Does not change the simulation.

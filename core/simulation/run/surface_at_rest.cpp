@@ -11,7 +11,8 @@
 
 namespace proveout {
 
-void SurfaceAtRest::follow(const Frame& moment, std::size_t faces, const WorkContext& context) {
+void SurfaceAtRest::follow(const Frame& moment, RimFinder& rims, std::size_t faces,
+                           const WorkContext& context) {
     const DecimationParameters& parameters = moment.parameters;
     const double needed = bytesAtRest(parameters, moment.zmap.grid(), faces);
     if (needed - m_bytes > static_cast<double>(memoryLimitBytes())) {
@@ -20,7 +21,7 @@ void SurfaceAtRest::follow(const Frame& moment, std::size_t faces, const WorkCon
         return;
     }
     m_bytes = needed;
-    ZMapSnapshot now = m_rims.find(moment, context.quiet());
+    ZMapSnapshot now = rims.find(moment, context.quiet());
     std::vector<std::size_t> changed;
     if (m_zmap)
         changed = differingRegions(*m_zmap, now, m_surface.grid());

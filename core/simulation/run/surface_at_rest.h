@@ -14,9 +14,10 @@ namespace proveout {
 /// The refined surface that is shown while nothing is cut, if there is memory for it. Owned by one thread.
 class SurfaceAtRest {
 public:
-    /// Makes the refined surface for a moment, with its walls. `faces` is the number of faces of the
-    /// scheduled surface, from which the memory is estimated. A stopped context leaves it unfinished.
-    void follow(const Frame& moment, std::size_t faces, const WorkContext& context);
+    /// Makes the refined surface for a moment, with its walls, which `rims` finds. `faces` is the number of
+    /// faces of the scheduled surface, from which the memory is estimated. A stopped context leaves it
+    /// unfinished.
+    void follow(const Frame& moment, RimFinder& rims, std::size_t faces, const WorkContext& context);
     /// Call it when the z-map has changed.
     void outdate();
 
@@ -29,7 +30,6 @@ public:
     [[nodiscard]] const ZMapSnapshot& zmap() const { return *m_zmap; }
 
 private:
-    RimFinder m_rims;
     RefinedSurface m_surface;
     std::optional<ZMapSnapshot> m_zmap; ///< the z-map that it follows
     double m_bytes = 0;                 ///< the memory it needs

@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/simulation/run/rim_finder.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/thread/command_queue.h"
 #include "core/simulation/thread/mailbox.h"
@@ -25,6 +26,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kSlice{10};
 /// While the user steps from block to block, the simulation does not count as idle.
 constexpr std::chrono::milliseconds kBeforeRefining{150};
+
+/// For walls, a frame; less while the playback does not keep its speed.
+constexpr std::chrono::microseconds kWalls{3000};
+constexpr std::chrono::microseconds kWallsBehind{300};
+constexpr double kKeepsUp = 0.98;
+
+std::chrono::nanoseconds timeForWalls(const Frame& frame) {
+    return frame.keptSpeed < kKeepsUp ? kWallsBehind : kWalls;
+}
 
 template<class... Handlers>
 struct Overloaded : Handlers... {
@@ -48,6 +58,7 @@ struct SimulationThread::State {
 
     // The members below are used by the simulation thread only.
     std::unique_ptr<Simulation> simulation;
+    RimFinder rims;
     std::optional<std::size_t> goal; ///< a requested block that has not been reached yet
     bool measures = false;           ///< the way to it is measured
     std::uint64_t seekStarted = 0;   ///< ticket of the newest seek or step
@@ -94,6 +105,7 @@ struct SimulationThread::State {
 
     void fail(Diagnostics diagnostics) {
         simulation.reset();
+        rims = {};
         goal.reset();
         playing = false;
         if (listener.failed)
@@ -110,6 +122,8 @@ struct SimulationThread::State {
         frame->seekOver = seekOver;
         frame->playing = playing;
         frame->keptSpeed = playing && !everyBlock ? clock.keptPart() : 1;
+        if (simulation->canRefine()) // else it has all walls, or its method has none
+            frame->zmap.setWalls(rims.findSome(*frame, timeForWalls(*frame)));
         frame->stoppedBy = stoppedBy;
         mailbox.put(std::move(frame));
         if (listener.frameReady)
@@ -132,6 +146,7 @@ struct SimulationThread::State {
 
     void carryOut(LoadCommand&& load) {
         simulation.reset(); // its memory is needed for the next one
+        rims = {};
         goal.reset();
         playing = false;
         stoppedBy.reset();
@@ -237,7 +252,7 @@ struct SimulationThread::State {
         queue.waitUntil(restsFrom);
         const WorkContext context{queue.beginWork(false), {}};
         if (!context.stopped())
-            simulation->refine(context);
+            simulation->refine(rims, context);
         if (queue.endWork())
             giveUp();
         if (!simulation->canRefine())

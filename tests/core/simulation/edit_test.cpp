@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "core/simulation/run/rim_finder.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 #include "tests/random_seed.h"
@@ -162,8 +163,9 @@ TEST(Edit, OnlyNotedGoesBackToAValidBlockOfTheNewProgram) {
             at = edited.find('\n', at) + 1;
         edited.insert(at, "G1 X20 Y20 Z-5 F100\n");
         const auto simulation = startedSimulation(programOf(text), smallSetup(), {});
+        RimFinder rims;
         simulation->seek(110);
-        simulation->refine(); // the refined surface at rest must not survive the edit
+        simulation->refine(rims); // the refined surface at rest must not survive the edit
         const auto program = programOf(edited);
         const std::size_t wanted = simulation->noteProgram(program);
         EXPECT_LE(simulation->position(), wanted);

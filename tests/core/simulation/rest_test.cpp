@@ -3,6 +3,7 @@
 #include <random>
 
 #include "core/decimation/surface/refined_surface.h"
+#include "core/simulation/run/rim_finder.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 #include "tests/random_seed.h"
@@ -30,6 +31,7 @@ TEST(AtRest, ShowsTheSameHoweverOneGotThere) {
     std::mt19937 random(seed);
     auto program = programOf(randomProgram(random(), 80));
     const auto simulation = startedSimulation(program, smallSetup(), smallRegions());
+    RimFinder rims;
     for (int round = 0; round < 60; ++round) {
         switch (random() % 5) {
         case 0:
@@ -54,9 +56,9 @@ TEST(AtRest, ShowsTheSameHoweverOneGotThere) {
         if (random() % 3 == 0) { // stopped: the surface of the schedule is still shown
             std::stop_source source;
             source.request_stop();
-            simulation->refine({source.get_token(), {}});
+            simulation->refine(rims, {source.get_token(), {}});
         }
-        simulation->refine();
+        simulation->refine(rims);
         EXPECT_FALSE(simulation->canRefine());
         const Frame frame = simulation->frame();
         EXPECT_EQ(frame.level, frame.parameters.level);
@@ -69,8 +71,9 @@ TEST(AtRest, DoesNotTouchTheSurfaceOfTheSchedule) {
     const auto program = programOf(randomProgram(7, 60));
     const auto straight = straightRun(program, smallSetup(), smallRegions());
     const auto simulation = startedSimulation(program, smallSetup(), smallRegions());
+    RimFinder rims;
     for (std::size_t block = 1; block <= 60; ++block) {
-        simulation->refine();
+        simulation->refine(rims);
         EXPECT_EQ(simulation->frame().level, smallRegions().level);
         simulation->step();
         ASSERT_EQ(difference(simulation->frame(), straight[block]), "") << "block " << block;
@@ -90,10 +93,11 @@ TEST(AtRest, OnlyACertifiedScheduleIsRefined) {
     exact.allowance = 0;
     for (const DecimationParameters& parameters : {lee, never, once, exact}) {
         const auto simulation = startedSimulation(program, smallSetup(), parameters);
+        RimFinder rims;
         simulation->seek(20);
         const Frame before = simulation->frame();
         EXPECT_FALSE(simulation->canRefine());
-        simulation->refine();
+        simulation->refine(rims);
         EXPECT_EQ(difference(simulation->frame(), before), "");
     }
 }

@@ -2,6 +2,8 @@
 // However a moment is reached, its rims are those that all motions before it give each tile.
 #include "core/simulation/run/rim_finder.h"
 
+#include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <random>
@@ -83,6 +85,29 @@ std::size_t rimCount(const RimMap& rims) {
     return count;
 }
 
+bool sameWalls(const WallPoints& a, const WallPoints& b, std::size_t tiles) {
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+        const WallTile* one = a.tile(tile);
+        const WallTile* other = b.tile(tile);
+        if (one == nullptr || other == nullptr ? one != other : !(*one == *other))
+            return false;
+    }
+    return true;
+}
+
+/// Those of a tile that are not in `all`; near its border, they depend on other tiles.
+std::size_t countOthers(const WallTile* walls, const WallTile* all) {
+    constexpr int kBorder = 3;
+    const auto isOther = [&](const WallPoint& wall) {
+        const int column = wall.point % Tile::kSize;
+        const int row = wall.point / Tile::kSize;
+        const bool inside =
+            std::min({column, row, Tile::kSize - 1 - column, Tile::kSize - 1 - row}) > kBorder;
+        return inside && (all == nullptr || std::ranges::find(all->points, wall) == all->points.end());
+    };
+    return walls == nullptr ? 0 : static_cast<std::size_t>(std::ranges::count_if(walls->points, isOther));
+}
+
 class RimFinderOf : public testing::Test {
 protected:
     const std::uint32_t seed = randomSeed();
@@ -159,6 +184,25 @@ TEST_F(RimFinderOf, TilesAwayFromTheCutKeepTheirPointers) {
     const ZMapSnapshot same = finder.find(simulation->frame());
     EXPECT_EQ(same.tile(0), after.tile(0));
     EXPECT_EQ(differentTiles(same.rims(), rimsByDefinition(*simulation, *toolsSetup())), 0U);
+}
+
+TEST_F(RimFinderOf, InSomeTimeItFindsSomeAndNoneOfBefore) {
+    const auto setup = toolsSetup(0.1);
+    const auto program = programOf(randomText(random, 80));
+    const auto simulation = started(program, setup);
+    RimFinder finder;
+    for (int step = 0; step < 20; ++step) {
+        simulation->seek(random() % (simulation->blockCount() + 1));
+        const Frame moment = simulation->frame();
+        const ZMapSnapshot all = RimFinder().find(moment);
+        const WallPoints none = finder.findSome(moment, std::chrono::nanoseconds(0));
+        const WallPoints some = finder.findSome(moment, std::chrono::microseconds(random() % 500));
+        for (std::size_t tile = 0; tile < all.tileCount(); ++tile) {
+            for (const WallPoints* walls : {&none, &some})
+                EXPECT_EQ(countOthers(walls->tile(tile), all.walls().tile(tile)), 0U) << step << ' ' << tile;
+        }
+        EXPECT_TRUE(sameWalls(finder.findSome(moment, std::chrono::hours(1)), all.walls(), all.tileCount()));
+    }
 }
 
 TEST_F(RimFinderOf, SeesThatAnEditReplacesAMotion) {

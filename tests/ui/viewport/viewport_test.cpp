@@ -275,6 +275,8 @@ void ViewportTest::aClickLooksCloser() {
                                  m_view->camera().ray(at.x() * ratio, at.y() * ratio));
     QVERIFY(point.has_value());
     m_view->setLegendShown(false);
+    // At rest: until then, some of the walls are shown.
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->simulation().frame()->level == ErrorLevel::surface, kPatience);
     const QImage before = m_view->grabFramebuffer();
     const double azimuth = m_view->camera().azimuth();
     QTest::keyClick(m_view, Qt::Key_B);
