@@ -32,8 +32,8 @@
 #include "core/simulation/records/block_provenance.h"
 #include "core/simulation/records/block_records.h"
 #include "core/simulation/run/interpretation.h"
-#include "core/simulation/run/rim_finder.h"
 #include "core/simulation/run/simulation.h"
+#include "core/simulation/run/walled_moment.h"
 #include "core/simulation/setup/tool_choice.h"
 
 namespace proveout::cli {
@@ -191,11 +191,13 @@ private:
                      m_options.box.wanted() ? heldBytes() + m_options.box.bytes() : 0));
     }
 
+    [[nodiscard]] bool isShaped() const { return m_job.setup.shape.kind != StockKind::box; }
+
     [[nodiscard]] MapOutputs mapOutputs() const {
         const bool solid = m_options.meshes.wanted();
         const bool full = m_options.mesh == "full";
         return {.schedule = followsSchedule(),
-                .shaped = m_job.setup.shape.kind != StockKind::box,
+                .shaped = isShaped(),
                 .whole = !full && (solid || m_options.json),
                 .solid = solid,
                 .again = !m_options.provenance.empty(),
@@ -271,7 +273,7 @@ private:
         m_simulation->setCheckpointBudget(0); // it only goes back to the uncut stock
         if (!m_options.json && !followsSchedule())
             m_simulation->keepRecordsOf({});
-        if (!m_options.provenance.empty())
+        if (!m_options.provenance.empty() || isShaped())
             m_uncut = m_simulation->zmap();
         if (!cutAsRead())
             return false;
@@ -302,12 +304,12 @@ private:
     /// The other methods are those of the paper, and need a plain z-map.
     [[nodiscard]] bool hasWalls() const {
         const bool certified = m_job.parameters.method == DecimationMethod::certified;
-        return m_options.rims == "on" && m_options.meshes.wanted() && (certified || m_options.mesh == "full");
+        return m_options.rims == "on" && (certified || m_options.mesh == "full");
     }
 
     void findRims() {
         if (hasWalls())
-            m_frame.zmap = RimFinder().find(m_frame);
+            addWalls(m_frame, isShaped() ? &m_uncut : nullptr);
         m_seconds.rims = lap();
     }
 
@@ -451,7 +453,7 @@ private:
     std::shared_ptr<const Program> m_program; ///< its beginning, until all of it has been read
     std::unique_ptr<Simulation> m_simulation;
     Frame m_frame;
-    ZMapSnapshot m_uncut; ///< if provenance was requested
+    ZMapSnapshot m_uncut; ///< if provenance was requested, and of stock that is not a box
     std::shared_ptr<const MachineTimes> m_times;
     RunTotals m_totals; ///< if JSON was requested
     Seconds m_seconds;

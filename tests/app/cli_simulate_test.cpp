@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <map>
+#include <numbers>
 #include <sstream>
 
 #include "core/formats/npy.h"
@@ -186,7 +187,13 @@ TEST_F(CliSimulate, PutsWallsOfFilesWhereTheyStand) {
     const auto cut = [&](const std::string& more) {
         return run("simulate p.nc --json --tool 1=flat:d=4,l=20" + kStock + more);
     };
-    EXPECT_FALSE(cut("").json().contains("rims"));
+    const double length = std::hypot(20, 6);
+    const double exact = 3 * (length * 4 + std::numbers::pi * 4);
+    const auto beside = [&](const std::string& more) {
+        return std::abs(cut(more).json()["removedMm3"].get<double>() - exact) / exact;
+    };
+    EXPECT_LT(beside(""), 5e-4); // at 0.5 mm
+    EXPECT_GT(beside("--rims off"), 2e-3);
     const auto off = cut("--rims off --zmap off.npy --stl off.stl");
     EXPECT_EQ(off.exitCode, 0) << off.err;
     EXPECT_FALSE(off.json().contains("rims"));
