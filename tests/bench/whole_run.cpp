@@ -23,6 +23,7 @@
 #include "core/nc/run/interpreter.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/simulation.h"
+#include "core/simulation/run/walled_moment.h"
 #include "tests/bench/bench_folder.h"
 #include "tests/bench/growth_table.h"
 #include "tests/bench/in_a_process.h"
@@ -102,9 +103,18 @@ Kernels runKernels(const Case& one, const Workload& workload, const std::string&
     if (one.output != Output::solid)
         return seconds;
     const DecimationParameters parameters = forExport({});
-    SurfaceSnapshot surface = decimatedWhole(zmap.snapshot(), parameters);
-    const ZMapSnapshot moment = zmap.snapshot();
-    SolidForExport solid(moment, closeSolid(moment, surface.releaseTriangles()), errorLevel(parameters));
+    Frame moment;
+    moment.program = program;
+    moment.setup = std::make_shared<const Setup>(setup);
+    moment.block = program->blockCount();
+    moment.zmap = zmap.snapshot();
+    addWalls(moment, nullptr);
+    SurfaceSnapshot surface = decimatedWhole(moment.zmap, parameters);
+    SolidForExport solid(
+        moment.zmap,
+        closeWithWalls(moment.zmap, surface.releaseTriangles(), parameters, CoordinateType::float32)
+            .value_or(TriangleMesh()),
+        errorLevel(parameters));
     (void)exportSolid(folder / "kernel.stl", *findFormat("stl")->meshWriter(), solid, parameters);
     seconds.solid = lap(watch);
     return seconds;
