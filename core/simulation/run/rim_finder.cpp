@@ -19,6 +19,8 @@ constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMotionsOfLook = 1024;
 /// Tiles between two reports of progress.
 constexpr std::size_t kPortion = 256;
+/// Tiles between two looks at the clock.
+constexpr std::size_t kPortionInTime = 4;
 /// The most motions over a tile that is looked at while the program is played: some milliseconds.
 constexpr std::size_t kMotionsInTime = 2000;
 
@@ -125,19 +127,25 @@ bool RimFinder::findTiles(const ZMapSnapshot& zmap, std::size_t motions, const W
 void RimFinder::findUntil(const ZMapSnapshot& zmap, std::size_t motions, Clock::time_point until,
                           std::vector<std::size_t>& tiles) {
     std::rotate(tiles.begin(), std::ranges::lower_bound(tiles, m_nextTile), tiles.end());
-    std::vector<std::size_t> left;
-    for (const std::size_t tile : tiles) {
+    const auto isQuick = [&](std::size_t tile) {
         std::size_t over = 0;
         for (const Program::MotionRange& range : m_index.over(tile, motions))
             over += range.last - range.first;
-        if (over > kMotionsInTime || Clock::now() >= until) {
-            left.push_back(tile);
-            continue;
-        }
-        adopt(tile, rimsOf(zmap, tile, motions, {}), m_index.endOver(tile, motions));
-        m_nextTile = tile + 1;
+        return over <= kMotionsInTime;
+    };
+    const auto slow = std::ranges::stable_partition(tiles, isQuick);
+    const auto quick = static_cast<std::size_t>(slow.begin() - tiles.begin());
+    std::vector<RimTilePtr> found(kPortionInTime);
+    std::size_t done = 0;
+    while (done < quick && Clock::now() < until) {
+        const auto portion = std::span(tiles).subspan(done, std::min(kPortionInTime, quick - done));
+        inParallel(portion.size(), [&](std::size_t k) { found[k] = rimsOf(zmap, portion[k], motions, {}); });
+        for (std::size_t k = 0; k < portion.size(); ++k)
+            adopt(portion[k], std::move(found[k]), m_index.endOver(portion[k], motions));
+        m_nextTile = portion.back() + 1;
+        done += portion.size();
     }
-    tiles = std::move(left);
+    tiles.erase(tiles.begin(), tiles.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
 std::vector<std::size_t> RimFinder::outdatedTiles(std::size_t motions) const {

@@ -27,12 +27,15 @@ constexpr std::chrono::milliseconds kSlice{10};
 /// While the user steps from block to block, the simulation does not count as idle.
 constexpr std::chrono::milliseconds kBeforeRefining{150};
 
-/// For walls, a frame; less while the playback does not keep its speed.
+/// For walls, a frame: more after a seek or step, less while the playback does not keep its speed.
+constexpr std::chrono::microseconds kWallsPaused{25'000};
 constexpr std::chrono::microseconds kWalls{3000};
 constexpr std::chrono::microseconds kWallsBehind{300};
 constexpr double kKeepsUp = 0.98;
 
 std::chrono::nanoseconds timeForWalls(const Frame& frame) {
+    if (!frame.playing)
+        return kWallsPaused;
     return frame.keptSpeed < kKeepsUp ? kWallsBehind : kWalls;
 }
 
@@ -122,12 +125,22 @@ struct SimulationThread::State {
         frame->seekOver = seekOver;
         frame->playing = playing;
         frame->keptSpeed = playing && !everyBlock ? clock.keptPart() : 1;
-        if (simulation->canRefine()) // else it has all walls, or its method has none
-            frame->zmap.setWalls(rims.findSome(*frame, timeForWalls(*frame)));
+        addWalls(*frame);
         frame->stoppedBy = stoppedBy;
         mailbox.put(std::move(frame));
         if (listener.frameReady)
             listener.frameReady();
+    }
+
+    /// Unless the frame has all of them, or its method none.
+    void addWalls(Frame& frame) {
+        if (!simulation->canRefine())
+            return;
+        try {
+            frame.zmap.setWalls(rims.findSome(frame, timeForWalls(frame)));
+        } catch (const std::bad_alloc&) { // the picture does without
+            rims = {};
+        }
     }
 
     // --- commands: they note the request and return at once; work() follows when no command is waiting
