@@ -117,7 +117,8 @@ double CellWalls::slack() const {
 }
 
 WallPlace CellWalls::placeOf(int corner, const OnWall& wall) const {
-    return {wall.at - offsetOf(corner), heightBeside(m_crossings[0], m_crossings[1]), wall.normal};
+    return {wall.at - offsetOf(corner), heightBeside(m_crossings[0], m_crossings[1]), wall.normal,
+            m_crossings[0].isUpright && m_crossings[1].isUpright};
 }
 
 std::optional<WallPlace> CellWalls::ifLevel(int corner, const WallPlace& place) const {

@@ -15,6 +15,7 @@ struct WallPlace {
     Vec2 at; ///< mm
     double z;
     Vec2 normal{0}; ///< of the wall over ground, from its low to its high side; 0: none
+    bool isUpright = false;
 };
 
 /// One side of the walls in a cell that cross two of its edges. Its corners are counted by rows: 0 and 1,

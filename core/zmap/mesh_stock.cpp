@@ -315,7 +315,8 @@ private:
             const Facet facet(corners(k));
             if (facet.isUpright())
                 continue;
-            for (int row = rowAt(facet.lowestY() - kOnRim); row <= rowAt(facet.highestY() + kOnRim); ++row)
+            const double near = kOnRim + kNarrow * grid.hy; // Band looks beside points as well
+            for (int row = rowAt(facet.lowestY() - near); row <= rowAt(facet.highestY() + near); ++row)
                 rows[static_cast<std::size_t>(row)].push_back(static_cast<std::uint32_t>(k));
         }
         return rows;

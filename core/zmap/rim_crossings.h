@@ -19,6 +19,7 @@ struct RimCrossing {
     Vec2 at; ///< from the point, mm
     Vec2 normal;
     double height; ///< of the surface beside the wall
+    bool isUpright = false;
 };
 
 /// A place on a wall.
@@ -87,7 +88,7 @@ public:
         const double place = std::clamp(rim->fraction(high), kApart, 1 - kApart);
         const double way = di + dj > 0 ? place : 1 - place;
         return RimCrossing{Vec2(di * grid().hx, dj * grid().hy) * way, rim->normal(),
-                           static_cast<double>(high ? rim->top : rim->bottom)};
+                           static_cast<double>(high ? rim->top : rim->bottom), rim->isUpright()};
     }
     [[nodiscard]] bool isHigh(int i, int j, const GridStep& step) const {
         return m_zmap.height(i, j) > m_zmap.height(i + step.di, j + step.dj);

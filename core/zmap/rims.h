@@ -41,6 +41,7 @@ struct Rim {
     [[nodiscard]] bool has(bool high) const {
         return sides == RimSides::both || high == (sides == RimSides::high);
     }
+    [[nodiscard]] bool isUpright() const { return sides == RimSides::both && highPlace == lowPlace; }
     [[nodiscard]] double fraction(bool high) const { return (high ? highPlace : lowPlace) / 65536.0; }
     [[nodiscard]] Vec2 normal() const { return normalInRimUnits(normalX, normalY); }
     friend bool operator==(const Rim&, const Rim&) = default;

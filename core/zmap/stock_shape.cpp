@@ -42,6 +42,7 @@ public:
                 highest = std::max(highest, double{m_map.height(i, j)});
         return highest;
     }
+    [[nodiscard]] bool knowsWalls() const override { return false; }
 
 private:
     ZMapSnapshot m_map;

@@ -44,6 +44,8 @@ public:
     /// An upper bound of the body's height within a box in plan; the closer the bound, the less work for the
     /// caller.
     [[nodiscard]] virtual double highest(const Vec2& lo, const Vec2& hi) const = 0;
+    /// Whether walls are where it says: a map has them somewhere between its points.
+    [[nodiscard]] virtual bool knowsWalls() const { return true; }
 };
 
 /// Material of any form. Immutable; any thread.

@@ -43,7 +43,7 @@ public:
         if (m_count == 0)
             return m_isOnSlope ? std::optional(stays()) : std::nullopt;
         if (m_count == 1)
-            return WallPlace{m_seen[0].crossing.at, m_seen[0].crossing.height, m_seen[0].crossing.normal};
+            return onWallOf(m_seen[0].crossing);
         if (m_count == 3)
             return tip();
         if (m_count != 2 || m_seen[0].step.isOpposite(m_seen[1].step))
@@ -51,17 +51,20 @@ public:
         const RimCrossing& a = m_seen[0].crossing;
         const RimCrossing& b = m_seen[1].crossing;
         const OnWall wall = onWall(a, b);
-        return WallPlace{wall.at, heightBeside(a, b), wall.normal};
+        return WallPlace{wall.at, heightBeside(a, b), wall.normal, a.isUpright && b.isUpright};
     }
 
 private:
+    [[nodiscard]] static WallPlace onWallOf(const RimCrossing& crossing) {
+        return {crossing.at, crossing.height, crossing.normal, crossing.isUpright};
+    }
     /// Between walls on both sides: where the wall ahead of it stands.
     [[nodiscard]] WallPlace tip() const {
         for (std::size_t k = 0; k < 3; ++k) {
             const Seen& ahead = m_seen[k];
             const auto faces = [&](const Seen& other) { return other.step.isOpposite(ahead.step); };
             if (std::none_of(m_seen.begin(), m_seen.begin() + 3, faces))
-                return {ahead.crossing.at, ahead.crossing.height, ahead.crossing.normal};
+                return onWallOf(ahead.crossing);
         }
         return stays();
     }
@@ -150,9 +153,9 @@ std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size
             const auto place = PointPlace(around, i, j).place();
             if (place)
                 walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
-                                        static_cast<float>(place->at.x), static_cast<float>(place->at.y),
-                                        static_cast<float>(place->z), inRimUnits(place->normal.x),
-                                        inRimUnits(place->normal.y)});
+                                        place->isUpright, static_cast<float>(place->at.x),
+                                        static_cast<float>(place->at.y), static_cast<float>(place->z),
+                                        inRimUnits(place->normal.x), inRimUnits(place->normal.y)});
         }
     }
     return walls.points.empty() ? nullptr : std::make_shared<const WallTile>(std::move(walls));

@@ -22,6 +22,7 @@ class ZMapSnapshot;
 /// ones of its slope, which stay where they are, belong to them.
 struct WallPoint {
     std::uint16_t point; ///< within its tile: row · 64 + column
+    bool isUpright;      ///< the wall; false: one that leans, or the edge of a slope
     float dx;            ///< from the point of the grid to the wall, mm
     float dy;
     float z;              ///< of the surface there, relative to the top of the stock

@@ -42,11 +42,12 @@ public:
     [[nodiscard]] const IndexRect& rect() const { return m_tile; }
     [[nodiscard]] const ZMapSnapshot& zmap() const { return m_zmap; }
 
-    /// The wall that a point of the tile, or the next one, is on. Null beside the slope below a crease: what
-    /// a ball leaves there is round between its points, and the sum of heights is nearer to it.
+    /// The upright wall that a point of the tile, or the next one, is on. Null beside the slope below a
+    /// crease: what a ball leaves there is round between its points, and the sum of heights is nearer to it.
+    /// Null if the wall is along a border that the points on its other side cannot leave.
     [[nodiscard]] const WallPoint* wallAt(int i, int j) const {
         const WallPoint* wall = m_points[placeOf(i, j)];
-        if (wall == nullptr || stays(*wall))
+        if (wall == nullptr || !wall->isUpright || isAlongBorder(*wall, i, j))
             return nullptr;
         for (int y = j - 1; y <= j + 1; ++y)
             for (int x = i - 1; x <= i + 1; ++x)
@@ -58,6 +59,13 @@ public:
 private:
     static constexpr int kSide = Tile::kSize + 3; ///< with one point before the tile, and two after it
 
+    [[nodiscard]] bool isAlongBorder(const WallPoint& wall, int i, int j) const {
+        const Grid& grid = m_zmap.grid();
+        const bool besideX = i <= 1 || i >= grid.nx - 2;
+        const bool besideY = j <= 1 || j >= grid.ny - 2;
+        return (besideX && 2 * std::abs(wall.normalX) >= std::abs(wall.normalY)) ||
+               (besideY && 2 * std::abs(wall.normalY) >= std::abs(wall.normalX));
+    }
     [[nodiscard]] static bool stays(const WallPoint& wall) { return wall.dx == 0 && wall.dy == 0; }
     [[nodiscard]] std::size_t placeOf(int i, int j) const {
         return static_cast<std::size_t>(j - m_tile.j0 + 1) * kSide +

@@ -49,6 +49,18 @@ TEST_F(CliStock, ACylinderIsCutAndExported) {
     EXPECT_NEAR(volume, std::numbers::pi * 225 * 10, 0.005 * std::numbers::pi * 225 * 10);
 }
 
+/// A mesh is stock by its points: where its walls are between them is not known.
+TEST_F(CliStock, WallsOfAMeshDoNotCountInWhatIsRemoved) {
+    ASSERT_EQ(simulate("cylinder:d=30,h=10", "--grid 0.1 --stl c.stl", "above.nc").exitCode, 0);
+    write("face.nc", "T1 M6\nG0 X-10 Y-10 Z5\nG1 Z-2 F100\nX40 Y-10\nY40\nX-10\nY-10\nX15 Y15\nG0 Z5\nM30\n");
+    const auto removed = [&](const std::string& more) {
+        return simulate("stl:file=c.stl", "--allow-outside --grid 0.5 " + more, "face.nc")
+            .json()["removedMm3"]
+            .get<double>();
+    };
+    EXPECT_NEAR(removed(""), removed("--rims off"), 1e-3 * removed("--rims off"));
+}
+
 TEST_F(CliStock, AnOutlineOfABoxIsTheBox) {
     const auto box = simulate("40x30x10", "--grid 0.5");
     const auto outline = simulate("outline:file=plate.csv,h=10", "--grid 0.5");

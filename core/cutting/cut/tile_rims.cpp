@@ -230,6 +230,12 @@ EdgeLine lineBelowPlateau(const FallingEdge& edge, const Grid& grid, const Index
     return line;
 }
 
+/// Whether nothing has been cut off the stock at a point of the map.
+bool isUncut(const StockTop& uncut, const Vec2& point, double height) {
+    constexpr double kRounding = 1e-5; // mm
+    return uncut.height(point) - height <= kRounding;
+}
+
 } // namespace
 
 TileRimSearch::TileRimSearch(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted)
@@ -248,6 +254,8 @@ RimTilePtr TileRimSearch::find(const StockTop* uncut, const std::stop_token& sto
         if (stop.stop_requested())
             return nullptr;
         const EdgeLine line = lineBelowPlateau(edge, m_zmap.grid(), m_tile);
+        if (uncut != nullptr && !uncut->knowsWalls() && isUncut(*uncut, line.at(line.length), edge.low))
+            continue; // the wall is one of the stock
         const ExactSurface surface(m_zmap, uncut, m_sweeps.over(edge.edge, areaOf(line)));
         if (const std::optional<Rim> rim = rimOn(edge, line, surface, m_wanted))
             rims.rims.push_back(*rim);

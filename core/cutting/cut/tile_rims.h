@@ -48,7 +48,7 @@ private:
 /// rim if the surface falls by a jump there. Between levels, the wall includes what follows within a 64th of
 /// the edge: passes at several depths make one wall. With RimEdges::atLevels, the creases where a tapered
 /// wall or any other slope leaves a level, or comes down to one, are rims too, each with the side that is
-/// level.
+/// level. Walls of a stock that does not know them (StockTop::knowsWalls()) are none.
 [[nodiscard]] RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
                                     std::span<const CutterMotion> motions, const std::stop_token& stop = {},
                                     RimEdges wanted = RimEdges::all);
