@@ -181,6 +181,35 @@ TEST_F(CliExport, ASteepPartFarFromTheOriginKeepsTheAllowance) {
     EXPECT_LE(test::distanceFrom(zmap, *readStl(folder / "c.stl")), 0.05 + 1e-9);
 }
 
+/// Single precision may round the outline of the stock outwards.
+TEST_F(CliExport, WallsAcrossTheBorderStandWhereTheyAreAtAnyOrigin) {
+    for (const char* origin : {"0", "0.7", "1.4", "-0.1", "25.4"}) {
+        const double x = std::stod(origin);
+        write("p.nc", fmt::format("T1 M6\nG0 X{} Y5.03 Z5\nG1 Z-2 F100\nX{}\nG0 Z5\nM30\n", x - 5, x + 15));
+        const auto done = run(fmt::format("simulate p.nc --json --stock 10x10x5 --grid 0.1 --allow-outside "
+                                          "--stock-origin {},0,0 --tool 1=flat:d=3.3,l=30 --stl s.stl",
+                                          origin));
+        ASSERT_LT(done.exitCode, 3) << done.err;
+        EXPECT_FALSE(done.reports("s.stl: note: ", "export-walls-on-grid")) << origin << done.err;
+        EXPECT_LT(done.json()["stl"]["triangles"], 100) << origin;
+    }
+}
+
+/// One triangle that is too far from a point need not be near the walls that it belongs to.
+TEST_F(CliExport, OneTriangleDoesNotTakeAllWallsWithIt) {
+    write("p.nc",
+          "T1 M6\nS1000 M3\nG0 Z5\nX5 Y5\nG1 Z-3 F500\nX25 Y9\nG3 X20 Y20 I-5 J5\nG1 X3 Y22 Z-1\nZ-12\n"
+          "X-5\nG0 Z5\nM30\n");
+    const auto triangles = [&](const std::string& more) {
+        return run("simulate p.nc --json --stock cylinder:d=30,h=10 --grid 0.06 --allow-outside --tool "
+                   "1=bull:d=4,r=1,l=30 --stl s.stl" +
+                   more)
+            .json()["stl"]["triangles"]
+            .get<int>();
+    };
+    EXPECT_LT(2 * triangles(""), triangles(" --rims off"));
+}
+
 TEST_F(CliExport, DecimateWritesTheSameFiles) {
     ASSERT_EQ(simulate("--zmap a.npy --export a.ply --region 64 --rims off").exitCode, 0);
     const auto done = run("decimate a.npy --grid 0.5 --allowance 0.05 --region 64 --floor -10 --export b.ply "

@@ -135,7 +135,8 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (Result<void> writable = checkTarget(file, bytes); !writable)
         return tl::unexpected(std::move(writable.error()));
     FileAllowance allowance(parameters, coordinates, stock);
-    ZMapSnapshot zmap = mapToExport(frame, parameters, context.part(0, kWalls));
+    const WorkContext limited{memory.stop(), context.progress};
+    ZMapSnapshot zmap = mapToExport(frame, parameters, limited.part(0, kWalls));
     const std::size_t wallPoints = zmap.walls().count();
     Result<SolidForExport> solid = makeSolid(zmap, allowance, memory, context.part(kWalls, kMade));
     if (!solid)

@@ -71,11 +71,22 @@ TriangleMesh closed(const SolidFrame& frame, std::vector<LatticeTriangle> surfac
                                         : closeAboveFloor(frame, std::move(surface), context);
 }
 
-bool areAllSound(CoordinateType type, const TriangleMesh& solid) {
-    return std::ranges::all_of(solid.triangles, [&](const auto& triangle) {
-        return isSound(type, Corners{solid.vertices[triangle[0]], solid.vertices[triangle[1]],
-                                     solid.vertices[triangle[2]]});
-    });
+/// The points of the map nearest to triangles that rounding turns over.
+std::vector<std::uint32_t> pointsOfUnsound(const SolidFrame& frame, const TriangleMesh& solid) {
+    const Grid& grid = frame.zmap().grid();
+    const auto nearest = [](double along, int count) {
+        return static_cast<int>(std::clamp(std::round(along), 0.0, count - 1.0));
+    };
+    std::vector<std::uint32_t> points;
+    for (const auto& [a, b, c] : solid.triangles) {
+        const Corners corners{solid.vertices[a], solid.vertices[b], solid.vertices[c]};
+        if (isSound(frame.coordinates(), corners))
+            continue;
+        for (const Vec3& corner : corners)
+            points.push_back(frame.lattice(nearest((corner.x - grid.x0) / grid.hx, grid.nx),
+                                           nearest((corner.y - grid.y0) / grid.hy, grid.ny)));
+    }
+    return points;
 }
 
 bool isOnFloor(const SolidFrame& frame, const LatticeTriangle& triangle) {
@@ -142,18 +153,26 @@ std::optional<TriangleMesh> closedWithWalls(const SolidFrame& frame, std::vector
                                         : closeAboveFloor(frame, std::move(surface), context);
 }
 
-/// Draws the walls around some points as they are without rims; false if there are none.
-bool removeWallsAround(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& points) {
-    constexpr int kAround = 2; // cells
+/// Draws the walls within some cells around points as they are without rims; false if there are none.
+bool removeWallsWithin(int cells, const std::vector<std::uint32_t>& points, ZMapSnapshot& zmap) {
     WallPoints walls = zmap.walls();
     for (const std::uint32_t point : points) {
         const int i = static_cast<int>(point) % zmap.grid().nx;
         const int j = static_cast<int>(point) / zmap.grid().nx;
-        walls.removeIn({i - kAround, j - kAround, i + kAround + 1, j + kAround + 1});
+        walls.removeIn({i - cells, j - cells, i + cells + 1, j + cells + 1});
     }
     const bool changed = walls.count() < zmap.walls().count();
     zmap.setWalls(std::move(walls));
     return changed;
+}
+
+/// Those within some cells or, if there are none, the nearest ones: a triangle may be far from its points.
+bool removeNearest(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& points, int cells) {
+    const int all = std::max(zmap.grid().nx, zmap.grid().ny);
+    bool removed = false;
+    for (; !removed && cells < 2 * all; cells *= 2)
+        removed = removeWallsWithin(cells, points, zmap);
+    return removed;
 }
 
 } // namespace
@@ -163,8 +182,10 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
                                            const WorkContext& context) {
     const double allowance = promised.method == DecimationMethod::none ? 0 : promised.allowance;
     const ErrorBound bound{allowance, errorLevel(promised)};
-    constexpr int kMostRounds = 8;
-    for (int round = 0; round < kMostRounds; ++round) {
+    constexpr int kMostRounds = 14;
+    constexpr int kNearRounds = 6; // after these, the walls farther around are removed as well
+    int cells = 2;
+    for (int round = 0; round<kMostRounds; ++round, cells *= round> kNearRounds ? 2 : 1) {
         const SolidFrame frame(zmap, coordinates);
         FormerTriangles flipped = flipWallCaps(frame, surface);
         std::ranges::move(unfoldLevels(frame, surface), std::back_inserter(flipped));
@@ -183,7 +204,11 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
                 return solid;
             if (solid)
                 roundWalls(frame, std::max(2 * kWallShare * allowance, kRoundness), *solid);
-            if (unsound.empty() ? !solid || !areAllSound(coordinates, *solid) : allowance == 0)
+            if (!solid && unsound.empty())
+                return std::nullopt;
+            if (unsound.empty())
+                unsound = pointsOfUnsound(frame, *solid);
+            if (!unsound.empty() && allowance == 0)
                 return std::nullopt;
             if (unsound.empty() && allowance > 0)
                 unsound = pointsFarther(zmap, *solid, coordinates, bound, context.stop);
@@ -192,7 +217,7 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
         }
         for (; !flipped.empty(); flipped.pop_back()) // the last first: some were flipped several times
             surface[flipped.back().first] = flipped.back().second;
-        if (!removeWallsAround(zmap, unsound))
+        if (!removeNearest(zmap, unsound, cells))
             return std::nullopt;
     }
     return std::nullopt;

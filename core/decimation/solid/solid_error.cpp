@@ -114,8 +114,11 @@ public:
     [[nodiscard]] bool contain(const Vec3& place) const {
         if (m_cells.empty())
             return false;
-        for (int y = first(place.y); y <= last(place.y, m_ny); ++y)
-            for (int x = first(place.x); x <= last(place.x, m_nx); ++x)
+        // Rounding may have moved the outline outwards.
+        const double atX = std::clamp(place.x, 0.0, m_nx - 1.0);
+        const double atY = std::clamp(place.y, 0.0, m_ny - 1.0);
+        for (int y = first(atY); y <= last(atY, m_ny); ++y)
+            for (int x = first(atX); x <= last(atX, m_nx); ++x)
                 if (m_cells[index(x, y)])
                     return true;
         return false;

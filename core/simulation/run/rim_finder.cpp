@@ -127,25 +127,29 @@ bool RimFinder::findTiles(const ZMapSnapshot& zmap, std::size_t motions, const W
 void RimFinder::findUntil(const ZMapSnapshot& zmap, std::size_t motions, Clock::time_point until,
                           std::vector<std::size_t>& tiles) {
     std::rotate(tiles.begin(), std::ranges::lower_bound(tiles, m_nextTile), tiles.end());
-    const auto isQuick = [&](std::size_t tile) {
-        std::size_t over = 0;
-        for (const Program::MotionRange& range : m_index.over(tile, motions))
-            over += range.last - range.first;
-        return over <= kMotionsInTime;
-    };
-    const auto slow = std::ranges::stable_partition(tiles, isQuick);
-    const auto quick = static_cast<std::size_t>(slow.begin() - tiles.begin());
+    std::vector<std::size_t> left;
+    std::vector<std::size_t> portion;
     std::vector<RimTilePtr> found(kPortionInTime);
-    std::size_t done = 0;
-    while (done < quick && Clock::now() < until) {
-        const auto portion = std::span(tiles).subspan(done, std::min(kPortionInTime, quick - done));
+    auto next = tiles.begin();
+    while (next != tiles.end() && Clock::now() < until) {
+        portion.clear();
+        for (; next != tiles.end() && portion.size() < kPortionInTime && Clock::now() < until; ++next)
+            (isQuick(*next, motions) ? portion : left).push_back(*next);
         inParallel(portion.size(), [&](std::size_t k) { found[k] = rimsOf(zmap, portion[k], motions, {}); });
-        for (std::size_t k = 0; k < portion.size(); ++k)
+        for (std::size_t k = 0; k < portion.size(); ++k) {
             adopt(portion[k], std::move(found[k]), m_index.endOver(portion[k], motions));
-        m_nextTile = portion.back() + 1;
-        done += portion.size();
+            m_nextTile = portion[k] + 1;
+        }
     }
-    tiles.erase(tiles.begin(), tiles.begin() + static_cast<std::ptrdiff_t>(done));
+    left.insert(left.end(), next, tiles.end());
+    tiles = std::move(left);
+}
+
+bool RimFinder::isQuick(std::size_t tile, std::size_t motions) const {
+    std::size_t over = 0;
+    for (const Program::MotionRange& range : m_index.over(tile, motions))
+        over += range.last - range.first;
+    return over <= kMotionsInTime;
 }
 
 std::vector<std::size_t> RimFinder::outdatedTiles(std::size_t motions) const {

@@ -55,6 +55,7 @@ private:
     /// Looks at some of the tiles, and leaves the others in `tiles`.
     void findUntil(const ZMapSnapshot& zmap, std::size_t motions, Clock::time_point until,
                    std::vector<std::size_t>& tiles);
+    [[nodiscard]] bool isQuick(std::size_t tile, std::size_t motions) const;
     void makeWalls(ZMapSnapshot& zmap, const RimMap& rims);
     void adopt(std::size_t tile, RimTilePtr rims, std::size_t end);
 
