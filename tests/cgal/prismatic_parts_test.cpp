@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "core/cutting/cut/cutting.h"
-#include "core/cutting/cut/tile_rims.h"
 #include "core/decimation/solid/solid.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/decimation/surface/refined_surface.h"
 #include "tests/cgal/distance_oracle.h"
 #include "tests/cgal/solid_oracle.h"
+#include "tests/core/cutting/moment_with_walls.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/core/decimation/closed_mesh.h"
 #include "tests/random_seed.h"
@@ -223,13 +223,7 @@ ZMapSnapshot cutOut(const Part& part) {
         stock.height = kDepth;
     ZMap zmap(stock, makeGrid(stock, part.spacing).value());
     EXPECT_TRUE(cutHeights(zmap, motions, {}));
-    ZMapSnapshot moment = zmap.snapshot();
-    RimMap rims;
-    for (std::size_t tile = 0; tile < moment.tileCount(); ++tile)
-        rims.push_back(rimsOfTile(moment, tile, nullptr, motions, {}, RimEdges::atLevels));
-    moment.setRims(std::move(rims));
-    moment.setWalls(WallPoints(moment));
-    return moment;
+    return withWalls(zmap.snapshot(), motions);
 }
 
 /// Whether it is so far inside of the stock that points beside walls may move.

@@ -22,7 +22,7 @@ bool mayReach(const CutterMotion& motion, const PlanArea& area) {
             box.add(path.centre - reach);
             box.add(path.centre + reach);
         }
-    const Vec3 rim(motion.cutter->radius() + 1e-4);
+    const Vec3 rim(motion.cutter->radius());
     box.lo -= rim;
     box.hi += rim;
     return area.meets(box);

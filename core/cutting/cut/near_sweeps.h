@@ -14,7 +14,7 @@
 
 namespace proveout {
 
-/// An area in plan.
+/// An area in plan, mm, program coordinates.
 struct PlanArea {
     Vec2 lo;
     Vec2 hi;

@@ -6,12 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "core/cutting/cut/cutting.h"
-#include "core/cutting/cut/tile_rims.h"
-#include "core/zmap/wall_points.h"
+#include "tests/core/cutting/moment_with_walls.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/random_seed.h"
 
@@ -23,15 +21,6 @@ constexpr double kDepth = 5;
 const StockBox kBlank{{0, 0, 0}, 40, 40, 10};
 /// Of a volume at 0.1 mm.
 constexpr double kShare = 1e-4;
-
-ZMapSnapshot withWalls(ZMapSnapshot moment, const std::vector<CutterMotion>& motions) {
-    RimMap rims;
-    for (std::size_t tile = 0; tile < moment.tileCount(); ++tile)
-        rims.push_back(rimsOfTile(moment, tile, nullptr, motions, {}, RimEdges::atLevels));
-    moment.setRims(std::move(rims));
-    moment.setWalls(WallPoints(moment));
-    return moment;
-}
 
 /// What the motions of a cutter of diameter `d` have removed.
 double removed(double d, const std::vector<Motion>& motions, double spacing = 0.1) {
