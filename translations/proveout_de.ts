@@ -8570,6 +8570,18 @@ Vorgabe: 0 mm</translation>
         <source>Use a finer grid: fewer motions are over each square then.</source>
         <translation>Ein feineres Raster verwenden: dann liegen weniger Bewegungen über jedem Quadrat.</translation>
     </message>
+    <message>
+        <source>Ribs between grid points</source>
+        <translation>Stege zwischen Gitterpunkten</translation>
+    </message>
+    <message>
+        <source>The file lacks ribs that are thinner than the spacing of the grid: they stand between its points in {} places, the first at X{} Y{}.</source>
+        <translation>In der Datei fehlen Stege, die dünner sind als die Rasterweite: Sie stehen an {} Stellen zwischen den Gitterpunkten, zuerst bei X{} Y{}.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid, or look at these places in a detail region.</source>
+        <translation>Ein feineres Gitter verwenden oder diese Stellen in einem Detailbereich ansehen.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>

@@ -8570,6 +8570,18 @@ Default: 0 mm</source>
         <source>Use a finer grid: fewer motions are over each square then.</source>
         <translation>더 촘촘한 격자를 사용하십시오. 그러면 각 정사각형을 지나는 이동이 줄어듭니다.</translation>
     </message>
+    <message>
+        <source>Ribs between grid points</source>
+        <translation>격자점 사이의 리브</translation>
+    </message>
+    <message>
+        <source>The file lacks ribs that are thinner than the spacing of the grid: they stand between its points in {} places, the first at X{} Y{}.</source>
+        <translation>격자 간격보다 얇은 리브는 파일에 없습니다. {}곳에서 격자점 사이에 있으며 첫 위치는 X{} Y{}입니다.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid, or look at these places in a detail region.</source>
+        <translation>더 촘촘한 격자를 사용하거나 상세 영역에서 이 위치를 확인하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>

@@ -77,7 +77,7 @@ std::optional<std::vector<MeshOutput>> MeshOutputs::write(ZMapSnapshot& zmap, Su
     const auto closeOnce = [&]() -> std::optional<SolidForExport> {
         if (!zmap.walls().empty()) {
             if (auto walled = closeWithWalls(zmap, surface.releaseTriangles(), promised, coordinates()))
-                return SolidForExport(zmap, std::move(*walled), level);
+                return SolidForExport(zmap, std::move(*walled), level, coordinates());
             zmap.setWalls({}); // and then their points are not needed
             if (!makeAgain(allowance.parameters()))
                 return std::nullopt;

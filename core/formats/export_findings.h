@@ -50,6 +50,15 @@ inline constexpr FindingRow kExportWallsUnknown{
     PROVEOUT_TEXT("Core", "Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 "
                           "points, more than {} motions of the program are near the walls."),
     PROVEOUT_TEXT("Core", "Use a finer grid: fewer motions are over each square then.")};
+inline constexpr FindingRow kExportRibsUnseen{
+    Severity::note,
+    false,
+    "export-ribs-unseen",
+    PROVEOUT_TEXT("Core", "Ribs between grid points"),
+    PROVEOUT_TEXT("Core",
+                  "The file lacks ribs that are thinner than the spacing of the grid: they stand between "
+                  "its points in {} places, the first at X{} Y{}."),
+    PROVEOUT_TEXT("Core", "Use a finer grid, or look at these places in a detail region.")};
 inline constexpr FindingRow kExportRoundingTooLarge{
     Severity::error,
     false,
@@ -116,10 +125,10 @@ inline constexpr FindingRow kStlCoordinate{
     PROVEOUT_TEXT("Core", "The vertex {}, {}, {} is out of the range of STL."),
     ""};
 
-inline constexpr std::array kExportRows{
-    &kExportFormatUnknown, &kExportRoundedBeyond,    &kExportSetApart,      &kExportWallsOnGrid,
-    &kExportWallsUnknown,  &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,
-    &kMeshCoordinate,      &kCancelledWriting,       &kStlTooCoarse,        &kStlTooManyTriangles,
-    &kStlCoordinate};
+inline constexpr std::array kExportRows{&kExportFormatUnknown,    &kExportRoundedBeyond, &kExportSetApart,
+                                        &kExportWallsOnGrid,      &kExportWallsUnknown,  &kExportRibsUnseen,
+                                        &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,
+                                        &kMeshCoordinate,         &kCancelledWriting,    &kStlTooCoarse,
+                                        &kStlTooManyTriangles,    &kStlCoordinate};
 
 } // namespace proveout::export_finding

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -48,10 +49,31 @@ Diagnostics warningsOf(SolidForExport& solid, CoordinateType type, const Decimat
     return {roundedBeyond(error, allowance, exact)};
 }
 
+/// The middle of the first edge that a rib crosses unseen.
+std::optional<Vec2> firstUnseenRib(const ZMapSnapshot& zmap) {
+    for (std::size_t tile = 0; tile < zmap.rims().size(); ++tile) {
+        const RimTilePtr& rims = zmap.rims()[tile];
+        if (rims == nullptr || rims->unseenRibs.empty())
+            continue;
+        const Grid& grid = zmap.grid();
+        const RimEdge edge = RimEdge::of(rims->unseenRibs.front());
+        const IndexRect rect = zmap.tileRect(tile);
+        return Vec2(grid.x(rect.i0 + edge.i) + (edge.alongY ? 0 : grid.hx / 2),
+                    grid.y(rect.j0 + edge.j) + (edge.alongY ? grid.hy / 2 : 0));
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 SolidForExport::SolidForExport(const ZMapSnapshot& zmap, TriangleMesh mesh, ErrorLevel level)
     : m_zmap(&zmap), m_mesh(std::move(mesh)), m_level(level) {}
+
+SolidForExport::SolidForExport(const ZMapSnapshot& zmap, WalledSolid solid, ErrorLevel level,
+                               CoordinateType coordinates)
+    : SolidForExport(zmap, std::move(solid.mesh), level) {
+    m_errors.at(static_cast<std::size_t>(coordinates)) = solid.largestErrorMm;
+}
 
 double SolidForExport::largestErrorMm(CoordinateType type, const WorkContext& context) {
     std::optional<double>& known = m_errors.at(static_cast<std::size_t>(type));
@@ -87,6 +109,10 @@ Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshF
             diagnosticOf(export_finding::kExportWallsUnknown,
                          {std::to_string(unknown), std::to_string(solid.zmap().tileCount()),
                           std::to_string(kMostMotionsOfRims)}));
+    if (const auto first = firstUnseenRib(solid.zmap()))
+        exported.warnings.push_back(diagnosticOf(export_finding::kExportRibsUnseen,
+                                                 {std::to_string(unseenRibs(solid.zmap().rims())),
+                                                  figures("{:.3f}", first->x), figures("{:.3f}", first->y)}));
     for (Diagnostic& warning : exported.warnings)
         warning.file = file.string();
     auto written = format.write(file, solid.mesh(), context.part(kMeasured, 1));

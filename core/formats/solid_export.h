@@ -21,6 +21,8 @@ class SolidForExport {
 public:
     /// `mesh`: of closeSolid(zmap, …). `level`: where it is measured.
     SolidForExport(const ZMapSnapshot& zmap, TriangleMesh mesh, ErrorLevel level);
+    /// `solid`: of closeWithWalls(zmap, …) for such coordinates, and what was promised for this level.
+    SolidForExport(const ZMapSnapshot& zmap, WalledSolid solid, ErrorLevel level, CoordinateType coordinates);
 
     [[nodiscard]] const ZMapSnapshot& zmap() const { return *m_zmap; }
     [[nodiscard]] const TriangleMesh& mesh() const { return m_mesh; }
@@ -53,7 +55,8 @@ struct ExportedSolid {
 /// Writes a solid and measures the contents of the file. Warnings report that its error exceeds the allowance
 /// of `promised` (0: there is none) because of the rounding of coordinates (id "export-rounded-beyond"), or,
 /// if the method is bounded, because of parts that were set apart (id "export-set-apart"). A note reports
-/// walls that are at points of the grid (id "export-walls-on-grid", "export-walls-unknown"). Any thread.
+/// walls that are at points of the grid (id "export-walls-on-grid", "export-walls-unknown"),
+/// and ribs that it does not have (id "export-ribs-unseen"). Any thread.
 /// Errors: those of the writer, cancelled.
 [[nodiscard]] Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
                                                 SolidForExport& solid, const DecimationParameters& promised,

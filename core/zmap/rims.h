@@ -69,11 +69,15 @@ inline constexpr std::size_t kMostMotionsOfRims = 32'768;
 struct RimTile {
     std::vector<Rim> rims;
     bool areUnknown = false; ///< too many motions are near its walls: it has no rims
+    /// RimEdge::index() of the edges, ascending, that a rib crosses unseen: it stands on a level floor
+    /// between their two points, which are on the floor.
+    std::vector<std::uint16_t> unseenRibs = {};
     friend bool operator==(const RimTile&, const RimTile&) = default;
 };
 using RimTilePtr = std::shared_ptr<const RimTile>;
 
-/// Per tile of a z-map; null: no rim. Empty: rims are not known. Equal pointers mean equal rims.
+/// Per tile of a z-map; null: no rim, nor an unseen rib. Empty: rims are not known. Equal pointers mean equal
+/// rims.
 using RimMap = PersistentArray<RimTilePtr>;
 
 /// The number of tiles whose rims are not known.
@@ -81,6 +85,14 @@ using RimMap = PersistentArray<RimTilePtr>;
     std::size_t count = 0;
     for (std::size_t tile = 0; tile < rims.size(); ++tile)
         count += rims[tile] != nullptr && rims[tile]->areUnknown ? 1 : 0;
+    return count;
+}
+
+/// The number of edges that ribs cross unseen.
+[[nodiscard]] inline std::size_t unseenRibs(const RimMap& rims) {
+    std::size_t count = 0;
+    for (std::size_t tile = 0; tile < rims.size(); ++tile)
+        count += rims[tile] == nullptr ? 0 : rims[tile]->unseenRibs.size();
     return count;
 }
 

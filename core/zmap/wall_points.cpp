@@ -17,10 +17,39 @@ namespace proveout {
 namespace {
 
 constexpr std::array<GridStep, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+/// The walls of the cells of a tile and around it, made when a point first asks: a cell has four.
+class CellsOfTile {
+public:
+    explicit CellsOfTile(const RimSurroundings& around) : m_around(around) {}
+
+    /// Null unless two walls cross the edges of a cell on this side.
+    [[nodiscard]] const CellWalls* twoWalls(int i, int j, bool high) {
+        if (std::popcount(m_around.edgesOf(i, j, high)) != 2)
+            return nullptr;
+        const auto x = static_cast<std::size_t>(i - m_around.rect().i0 + 1);
+        const auto y = static_cast<std::size_t>(j - m_around.rect().j0 + 1);
+        std::uint16_t& known = m_known.at((y * kSide + x) * 2 + (high ? 1 : 0));
+        if (known == 0) {
+            m_cells.emplace_back(m_around, i, j, high);
+            known = static_cast<std::uint16_t>(m_cells.size());
+        }
+        return &m_cells[known - 1U];
+    }
+
+private:
+    static constexpr std::size_t kSide = Tile::kSize + 1;
+
+    const RimSurroundings& m_around;
+    std::vector<CellWalls> m_cells;
+    std::array<std::uint16_t, 2 * kSide * kSide> m_known{}; ///< by cell and side: its place, from 1 on
+};
+
 /// One point of a tile.
 class PointPlace {
 public:
-    PointPlace(const RimSurroundings& around, int i, int j) : m_around(around), m_i(i), m_j(j) {
+    PointPlace(const RimSurroundings& around, CellsOfTile& cells, int i, int j)
+        : m_around(around), m_cells(cells), m_i(i), m_j(j) {
         const Grid& grid = around.grid();
         m_freeX = i > 0 && i < grid.nx - 1;
         m_freeY = j > 0 && j < grid.ny - 1;
@@ -101,10 +130,8 @@ private:
             for (const bool high : {false, true}) {
                 const int i = m_i - corner % 2;
                 const int j = m_j - corner / 2;
-                if (std::popcount(m_around.edgesOf(i, j, high)) != 2)
-                    continue; // these answers are about two walls
-                const CellWalls cell(m_around, i, j, high);
-                if (const auto place = (cell.*ask)(corner))
+                const CellWalls* cell = m_cells.twoWalls(i, j, high);
+                if (const auto place = cell != nullptr ? (cell->*ask)(corner) : std::nullopt)
                     return place;
             }
         }
@@ -112,6 +139,7 @@ private:
     }
 
     const RimSurroundings& m_around;
+    CellsOfTile& m_cells;
     int m_i;
     int m_j;
     bool m_freeX = false; ///< not on the border of the map
@@ -144,13 +172,14 @@ std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size
     const RimSurroundings around(zmap, tile);
     if (around.empty())
         return nullptr;
+    CellsOfTile cells(around);
     WallTile walls;
     const IndexRect& rect = around.rect();
     for (int j = rect.j0; j < rect.j1; ++j) {
         for (int i = rect.i0; i < rect.i1; ++i) {
             if (!around.isNearRim(i, j))
                 continue;
-            const auto place = PointPlace(around, i, j).place();
+            const auto place = PointPlace(around, cells, i, j).place();
             if (place)
                 walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
                                         place->isUpright, static_cast<float>(place->at.x),

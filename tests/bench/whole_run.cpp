@@ -113,8 +113,8 @@ Kernels runKernels(const Case& one, const Workload& workload, const std::string&
     SolidForExport solid(
         moment.zmap,
         closeWithWalls(moment.zmap, surface.releaseTriangles(), parameters, CoordinateType::float32)
-            .value_or(TriangleMesh()),
-        errorLevel(parameters));
+            .value_or(WalledSolid()),
+        errorLevel(parameters), CoordinateType::float32);
     (void)exportSolid(folder / "kernel.stl", *findFormat("stl")->meshWriter(), solid, parameters);
     seconds.solid = lap(watch);
     return seconds;

@@ -276,10 +276,10 @@ TEST(PrismaticParts, AreInFilesAsTheyWereCut) {
             closeWithWalls(moment, surface.releaseTriangles(), parameters, CoordinateType::float32);
         ASSERT_TRUE(solid.has_value());
         EXPECT_EQ(moment.walls().count(), walls);
-        EXPECT_EQ(whatIsWrong(*solid), "");
-        EXPECT_EQ(whatCgalFindsWrong(*solid, Intersections::look), "");
-        EXPECT_LE(farthestOfFaces(part, *solid), part.allowed);
-        EXPECT_LE(farthestFrom(*solid, pointsOfWalls(part)), part.allowed);
+        EXPECT_EQ(whatIsWrong(solid->mesh), "");
+        EXPECT_EQ(whatCgalFindsWrong(solid->mesh, Intersections::look), "");
+        EXPECT_LE(farthestOfFaces(part, solid->mesh), part.allowed);
+        EXPECT_LE(farthestFrom(solid->mesh, pointsOfWalls(part)), part.allowed);
     }
 }
 
@@ -321,9 +321,9 @@ TEST(PrismaticParts, OfRandomCutsAreSound) {
         if (!solid)
             continue;
         ++walled;
-        EXPECT_EQ(whatIsWrong(*solid), "");
-        EXPECT_EQ(whatCgalFindsWrong(*solid, Intersections::skip), "");
-        EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::surface),
+        EXPECT_EQ(whatIsWrong(solid->mesh), "");
+        EXPECT_EQ(whatCgalFindsWrong(solid->mesh, Intersections::skip), "");
+        EXPECT_LE(measureSolidError(moment, solid->mesh, CoordinateType::float32, ErrorLevel::surface),
                   parameters.allowance);
     }
     EXPECT_GT(walled, rounds * 9 / 10);

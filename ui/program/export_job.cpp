@@ -77,6 +77,19 @@ Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const 
     return ExportSummary{.file = file, .stock = true, .bytes = ignored ? 0 : bytes, .warnings = {}};
 }
 
+/// Nothing if its walls cannot be drawn.
+std::optional<SolidForExport> closed(ZMapSnapshot& zmap, std::vector<LatticeTriangle> triangles,
+                                     const DecimationParameters& promised, CoordinateType coordinates,
+                                     const WorkContext& context) {
+    const ErrorLevel level = errorLevel(promised);
+    if (zmap.walls().empty())
+        return SolidForExport(zmap, closeSolid(zmap, std::move(triangles), context), level);
+    auto walled = closeWithWalls(zmap, std::move(triangles), promised, coordinates, context);
+    if (!walled)
+        return std::nullopt;
+    return SolidForExport(zmap, std::move(*walled), level, coordinates);
+}
+
 /// The solid for a file that keeps the allowance; it refers to `zmap`, which loses its walls if not all of
 /// them can be drawn.
 Result<SolidForExport> makeSolid(ZMapSnapshot& zmap, FileAllowance& allowance, const ExportMemory& memory,
@@ -93,25 +106,19 @@ Result<SolidForExport> makeSolid(ZMapSnapshot& zmap, FileAllowance& allowance, c
         std::vector<LatticeTriangle> triangles = surface.releaseTriangles();
         if (memory.isExceeded(triangles.size()))
             return memory.tooLarge();
-        const WorkContext closing = part.part(kDecimated, kClosed);
-        TriangleMesh mesh;
-        if (zmap.walls().empty()) {
-            mesh = closeSolid(zmap, std::move(triangles), closing);
-        } else if (auto walled = closeWithWalls(zmap, std::move(triangles), promised, allowance.coordinates(),
-                                                closing)) {
-            mesh = std::move(*walled);
-        } else {
+        std::optional<SolidForExport> solid = closed(zmap, std::move(triangles), promised,
+                                                     allowance.coordinates(), part.part(kDecimated, kClosed));
+        if (!solid) {
             zmap.setWalls({}); // and then their points are not needed
             continue;
         }
-        SolidForExport solid(zmap, std::move(mesh), errorLevel(allowance.promised()));
-        const bool again = !limited.stopped() && allowance.reduce(solid, part.part(kClosed, 1));
+        const bool again = !limited.stopped() && allowance.reduce(*solid, part.part(kClosed, 1));
         if (context.stopped())
             return cancelled();
         if (memory.isExceeded(0))
             return memory.tooLarge();
         if (!again)
-            return solid;
+            return std::move(*solid);
     }
 }
 

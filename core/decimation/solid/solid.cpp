@@ -175,11 +175,29 @@ bool removeNearest(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& points,
     return removed;
 }
 
+/// The points that are farther than allowed; if there are none, the solid gets its error. Triangles that meet
+/// walls are looked at first: the others are as they were decimated.
+std::vector<std::uint32_t> measure(const ZMapSnapshot& zmap, CoordinateType coordinates,
+                                   const ErrorBound& bound, const WorkContext& context, WalledSolid& solid) {
+    std::vector<std::uint32_t> farther =
+        pointsFarther(zmap, solid.mesh, coordinates, bound, MeasuredPart::atWalls, context.stop);
+    if (!farther.empty())
+        return farther;
+    const double error = measureSolidError(zmap, solid.mesh, coordinates, bound.level, context.quiet());
+    if (context.stopped())
+        return {};
+    if (error > bound.distance)
+        farther = pointsFarther(zmap, solid.mesh, coordinates, bound, MeasuredPart::all, context.stop);
+    if (farther.empty())
+        solid.largestErrorMm = error;
+    return farther;
+}
+
 } // namespace
 
-std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
-                                           const DecimationParameters& promised, CoordinateType coordinates,
-                                           const WorkContext& context) {
+std::optional<WalledSolid> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+                                          const DecimationParameters& promised, CoordinateType coordinates,
+                                          const WorkContext& context) {
     const double allowance = promised.method == DecimationMethod::none ? 0 : promised.allowance;
     const ErrorBound bound{allowance, errorLevel(promised)};
     constexpr int kMostRounds = 14;
@@ -198,22 +216,25 @@ std::optional<TriangleMesh> closeWithWalls(ZMapSnapshot& zmap, std::vector<Latti
         if (unsound.empty())
             unsound = unsoundPoints(frame, allowance > 0 ? simple : surface);
         if (unsound.empty() || context.stopped()) {
-            std::optional<TriangleMesh> solid =
+            std::optional<TriangleMesh> mesh =
                 closedWithWalls(frame, std::move(allowance > 0 ? simple : surface), unsound, context);
             if (context.stopped())
-                return solid;
-            if (solid)
-                roundWalls(frame, std::max(2 * kWallShare * allowance, kRoundness), *solid);
-            if (!solid && unsound.empty())
+                return WalledSolid{mesh.value_or(TriangleMesh{}), {}};
+            if (mesh)
+                roundWalls(frame, std::max(2 * kWallShare * allowance, kRoundness), *mesh);
+            if (!mesh && unsound.empty())
                 return std::nullopt;
             if (unsound.empty())
-                unsound = pointsOfUnsound(frame, *solid);
+                unsound = pointsOfUnsound(frame, *mesh);
             if (!unsound.empty() && allowance == 0)
                 return std::nullopt;
-            if (unsound.empty() && allowance > 0)
-                unsound = pointsFarther(zmap, *solid, coordinates, bound, context.stop);
-            if (unsound.empty() || context.stopped())
-                return solid;
+            if (unsound.empty()) {
+                WalledSolid solid{std::move(*mesh), {}};
+                if (allowance > 0)
+                    unsound = measure(zmap, coordinates, bound, context, solid);
+                if (unsound.empty() || context.stopped())
+                    return solid;
+            }
         }
         for (; !flipped.empty(); flipped.pop_back()) // the last first: some were flipped several times
             surface[flipped.back().first] = flipped.back().second;

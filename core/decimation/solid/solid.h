@@ -35,12 +35,19 @@ inline constexpr double kPinchGap = 1e-4;
 [[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                       const WorkContext& context = {});
 
+/// A solid of closeWithWalls().
+struct WalledSolid {
+    TriangleMesh mesh;
+    std::optional<double> largestErrorMm; ///< measureSolidError() at the level promised; unknown without an
+                                          ///< allowance, or if the context was stopped
+};
+
 /// The same with walls where they stand, if `zmap` has them and `surface` has their points. `promised`: what
 /// the surface was made for; walls are simplified within its allowance as well, and keep all their points if
 /// there is none. `coordinates`: of the file. Where other walls are so near that the grid does not resolve
 /// them, so that the solid would be farther from the map than allowed, or turned over, `zmap` loses them, and
 /// they are drawn at its points. Nothing if that does not help.
-[[nodiscard]] std::optional<TriangleMesh>
+[[nodiscard]] std::optional<WalledSolid>
 closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface, const DecimationParameters& promised,
                CoordinateType coordinates, const WorkContext& context = {});
 

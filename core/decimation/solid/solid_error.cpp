@@ -20,6 +20,8 @@ namespace proveout {
 
 namespace {
 
+constexpr std::size_t kTrianglesOfTask = 256;
+
 using Weights = std::array<double, 3>;
 
 /// Stored in memory on purpose: g++ 12 at -O2 drops a pair of vectorised conversions to float and back.
@@ -185,6 +187,11 @@ public:
         return std::ranges::any_of(at,
                                    [&](const Vec3& corner) { return m_wallCells.contain(inCells(corner)); });
     }
+    /// The same, of one that faces upwards.
+    [[nodiscard]] bool meetsWall(std::size_t triangle) const {
+        const auto at = cornersOf(triangle);
+        return at && meetsWall(*at);
+    }
     /// Whether it is one of a wall that is steep, but not upright.
     [[nodiscard]] bool isOfWall(const Corners& at) const {
         constexpr double kLeastRise = 1.5;
@@ -264,9 +271,25 @@ private:
     Axis m_rows;
 };
 
-/// Calls `visit(i, j, distance)` for the points in a band of rows: for each triangle over them, or else for
-/// their distance from the floor. A stop is looked for in every row, because two triangles may cover the
-/// whole map.
+/// Calls `visit(i, j, distance)` for the points in a band of rows under each of its triangles. A stop is
+/// looked for in every row, because two triangles may cover the whole map.
+template<class Visit>
+void eachDistanceUnder(const SolidTop& top, const RowBands& bands, std::size_t band,
+                       const std::stop_token& stop, const Visit& visit) {
+    const auto [first, last] = bands.rows(band);
+    for (const std::uint32_t triangle : bands.trianglesOf(band)) {
+        const Corners at = *top.cornersOf(triangle);
+        const auto reached = top.rowsOf(triangle);
+        for (std::size_t j = std::max(first, reached.first);
+             j <= std::min(last, reached.last) && !stop.stop_requested(); ++j)
+            top.eachColumn(at, j, [&](std::size_t i) {
+                if (const auto distance = top.distance(i, j, at))
+                    visit(i, j, *distance);
+            });
+    }
+}
+
+/// The same, and for points that no triangle covers with their distance from the floor.
 template<class Visit>
 void eachDistance(const SolidTop& top, const RowBands& bands, std::size_t band, const std::stop_token& stop,
                   const Visit& visit) {
@@ -274,39 +297,37 @@ void eachDistance(const SolidTop& top, const RowBands& bands, std::size_t band, 
     const std::size_t first = rows.first; // Clang 14 captures no structured bindings
     const std::size_t last = rows.last;
     std::vector<bool> covered((last + 1 - first) * top.columns());
-    for (const std::uint32_t triangle : bands.trianglesOf(band)) {
-        const Corners at = *top.cornersOf(triangle);
-        const auto reached = top.rowsOf(triangle);
-        for (std::size_t j = std::max(first, reached.first);
-             j <= std::min(last, reached.last) && !stop.stop_requested(); ++j)
-            top.eachColumn(at, j, [&](std::size_t i) {
-                const auto distance = top.distance(i, j, at);
-                if (!distance)
-                    return;
-                covered[(j - first) * top.columns() + i] = true;
-                visit(i, j, *distance);
-            });
-    }
+    eachDistanceUnder(top, bands, band, stop, [&](std::size_t i, std::size_t j, double distance) {
+        covered[(j - first) * top.columns() + i] = true;
+        visit(i, j, distance);
+    });
     for (std::size_t j = first; j <= last && !stop.stop_requested(); ++j)
         for (std::size_t i = 0; i < top.columns(); ++i)
             if (!covered[(j - first) * top.columns() + i])
                 visit(i, j, top.aboveFloor(i, j));
 }
 
-/// Adds the ends of edges that meet walls and are farther than a distance somewhere away from walls.
-void addEndsOfEdges(const SolidTop& top, std::size_t triangles, double distance, const std::stop_token& stop,
+/// Adds the ends of the edges of a triangle that meets walls which are farther than a distance somewhere away
+/// from walls.
+void addEndsOfEdges(const SolidTop& top, std::size_t triangle, double distance,
                     std::vector<std::uint32_t>& points) {
-    for (std::size_t triangle = 0; triangle < triangles && !stop.stop_requested(); ++triangle) {
-        const auto at = top.cornersOf(triangle);
-        if (!at || !top.meetsWall(*at) || top.isOfWall(*at))
-            continue;
-        for (std::size_t k = 0; k < at->size(); ++k) {
-            if (top.alongEdge(*at, k) > distance) {
-                points.push_back(top.pointNear((*at)[k]));
-                points.push_back(top.pointNear((*at)[(k + 1) % 3]));
-            }
+    const auto at = top.cornersOf(triangle);
+    if (!at || !top.meetsWall(*at) || top.isOfWall(*at))
+        return;
+    for (std::size_t k = 0; k < at->size(); ++k) {
+        if (top.alongEdge(*at, k) > distance) {
+            points.push_back(top.pointNear((*at)[k]));
+            points.push_back(top.pointNear((*at)[(k + 1) % 3]));
         }
     }
+}
+
+/// Those of several lists, in their order.
+std::vector<std::uint32_t> joined(const std::vector<std::vector<std::uint32_t>>& lists) {
+    std::vector<std::uint32_t> all;
+    for (const std::vector<std::uint32_t>& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
 }
 
 } // namespace
@@ -327,7 +348,6 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
                          ErrorLevel level, const WorkContext& context) {
     const SolidTop top(zmap, solid, type);
     const std::size_t triangles = solid.triangles.size();
-    constexpr std::size_t kTrianglesOfTask = 256;
     double largest = 0;
     if (level == ErrorLevel::surface)
         largest = largestInParallel(triangles, kTrianglesOfTask,
@@ -348,22 +368,36 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
 }
 
 std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const TriangleMesh& solid,
-                                         CoordinateType type, const ErrorBound& bound,
+                                         CoordinateType type, const ErrorBound& bound, MeasuredPart part,
                                          const std::stop_token& stop) {
     const SolidTop top(zmap, solid, type);
-    const RowBands bands(top.rows(), solid.triangles.size(), [&](std::size_t t) { return top.rowsOf(t); });
+    const RowBands bands(top.rows(), solid.triangles.size(), [&](std::size_t t) {
+        return part == MeasuredPart::all || top.meetsWall(t) ? top.rowsOf(t) : RowBands::Rows{1, 0};
+    });
     std::vector<std::vector<std::uint32_t>> ofBands(bands.count());
     inParallel(bands.count(), [&](std::size_t band) {
-        eachDistance(top, bands, band, stop, [&](std::size_t i, std::size_t j, double isAway) {
+        const auto look = [&](std::size_t i, std::size_t j, double isAway) {
             if (isAway > bound.distance && !top.isBesideWall(i, j))
                 ofBands[band].push_back(static_cast<std::uint32_t>(j * top.columns() + i));
-        });
+        };
+        if (part == MeasuredPart::all)
+            eachDistance(top, bands, band, stop, look);
+        else
+            eachDistanceUnder(top, bands, band, stop, look);
     });
-    std::vector<std::uint32_t> points;
-    for (const std::vector<std::uint32_t>& band : ofBands)
-        points.insert(points.end(), band.begin(), band.end());
-    if (bound.level == ErrorLevel::surface)
-        addEndsOfEdges(top, solid.triangles.size(), bound.distance, stop, points);
+    std::vector<std::uint32_t> points = joined(ofBands);
+    if (bound.level != ErrorLevel::surface)
+        return points;
+    const std::size_t triangles = solid.triangles.size();
+    std::vector<std::vector<std::uint32_t>> ofParts(triangles / kTrianglesOfTask + 1);
+    inParallel(ofParts.size(), [&](std::size_t k) {
+        const std::size_t first = k * kTrianglesOfTask;
+        for (std::size_t t = first; t < std::min(first + kTrianglesOfTask, triangles); ++t)
+            if (!stop.stop_requested())
+                addEndsOfEdges(top, t, bound.distance, ofParts[k]);
+    });
+    const std::vector<std::uint32_t> ends = joined(ofParts);
+    points.insert(points.end(), ends.begin(), ends.end());
     return points;
 }
 

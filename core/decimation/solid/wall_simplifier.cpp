@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -51,15 +51,10 @@ public:
     }
 
     void run(const WorkContext& context) {
-        for (Vertex vertex = 0; vertex < m_at.size(); ++vertex)
-            m_queue.push_back(vertex);
-        while (!m_queue.empty() && !context.stopped()) {
-            const Vertex vertex = m_queue.front();
-            m_queue.pop_front();
-            m_isQueued[vertex] = false;
-            if (m_isRemovable[vertex] && m_stars[vertex].size() <= kMostAround)
-                tryRemove(vertex);
-        }
+        std::vector<Vertex> queue(m_at.size());
+        std::iota(queue.begin(), queue.end(), Vertex{0});
+        for (; !queue.empty() && !context.stopped(); queue = std::exchange(m_next, {}))
+            runRound(queue, context);
         for (const Beside& beside : m_beside) {
             for (std::size_t k = 0; k < 3; ++k)
                 m_surface[beside.index][k] = m_points[beside.corners[k]];
@@ -88,6 +83,27 @@ private:
         std::vector<std::size_t> nearest;     ///< by removed point: of the kept ones
     };
 
+    /// Neighbours are not removed in the same round: along a wall, one vertex would otherwise get the
+    /// triangles of all those before it.
+    void runRound(const std::vector<Vertex>& queue, const WorkContext& context) {
+        ++m_round;
+        for (const Vertex vertex : queue) {
+            if (context.stopped())
+                return;
+            m_isQueued[vertex] = false;
+            if (m_restsIn[vertex] == m_round)
+                enqueue(vertex);
+            else if (m_isRemovable[vertex] && m_stars[vertex].size() <= kMostAround)
+                tryRemove(vertex);
+        }
+    }
+    void enqueue(Vertex vertex) {
+        if (m_isRemovable[vertex] && !m_isQueued[vertex]) {
+            m_isQueued[vertex] = true;
+            m_next.push_back(vertex);
+        }
+    }
+
     void add(std::size_t t) {
         if (!m_frame.isBesideWall(m_surface[t]))
             return;
@@ -109,6 +125,7 @@ private:
             m_isOutline.push_back(m_frame.onOutline(point));
             m_isRemovable.push_back(isWall && !m_isOutline.back());
             m_isQueued.push_back(true);
+            m_restsIn.push_back(0);
         }
         return known->second;
     }
@@ -368,10 +385,8 @@ private:
         m_stars[vertex].clear();
         m_isRemovable[vertex] = false;
         for (const Vertex neighbour : ring) {
-            if (m_isRemovable[neighbour] && !m_isQueued[neighbour]) {
-                m_isQueued[neighbour] = true;
-                m_queue.push_back(neighbour);
-            }
+            m_restsIn[neighbour] = m_round;
+            enqueue(neighbour);
         }
     }
 
@@ -392,7 +407,9 @@ private:
     std::vector<bool> m_isOutline;
     std::vector<bool> m_isRemovable;
     std::vector<bool> m_isQueued;
-    std::deque<Vertex> m_queue;
+    std::vector<std::uint32_t> m_restsIn; ///< the last round in which it was left alone
+    std::uint32_t m_round = 0;
+    std::vector<Vertex> m_next;
 };
 
 } // namespace

@@ -80,10 +80,10 @@ TEST(WallSurface, DecimatedSolidsHaveWallsOnTheirOutlineAndTheirVolume) {
             everyPoint.method = DecimationMethod::none;
             ZMapSnapshot moment = map.moment();
             const TriangleMesh full =
-                *closeWithWalls(moment, surface.triangles(), everyPoint, CoordinateType::float32);
+                closeWithWalls(moment, surface.triangles(), everyPoint, CoordinateType::float32)->mesh;
             expectWalls(map, region, full, 0);
             const TriangleMesh simple =
-                *closeWithWalls(moment, surface.triangles(), parameters, CoordinateType::float32);
+                closeWithWalls(moment, surface.triangles(), parameters, CoordinateType::float32)->mesh;
             EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
             expectWalls(map, region, simple, kWallShare * parameters.allowance);
             EXPECT_LE(measureSolidError(map.moment(), simple, CoordinateType::float32, ErrorLevel::surface),
@@ -112,12 +112,12 @@ TEST(WallSurface, WallsThatTheGridDoesNotResolveLeaveOthersWhereTheyStand) {
     ZMapSnapshot moment = map.moment();
     const auto solid = closeWithWalls(moment, surface.triangles(), parameters, CoordinateType::float32);
     ASSERT_TRUE(solid.has_value());
-    EXPECT_EQ(whatIsWrong(*solid), "");
+    EXPECT_EQ(whatIsWrong(solid->mesh), "");
     EXPECT_LT(moment.walls().count(), map.moment().walls().count());
-    EXPECT_LE(measureSolidError(moment, *solid, CoordinateType::float32, ErrorLevel::surface),
+    EXPECT_LE(measureSolidError(moment, solid->mesh, CoordinateType::float32, ErrorLevel::surface),
               parameters.allowance);
     std::size_t ofPocket = 0;
-    forEachSteep(*solid, [&](const std::array<Vec3, 3>& corners) {
+    forEachSteep(solid->mesh, [&](const std::array<Vec3, 3>& corners) {
         if (corners[0].x > 23 || map.isAtBorder(corners[0]))
             return;
         ++ofPocket;
@@ -148,12 +148,12 @@ TEST(WallSurface, PartsThatAreCutThroughHaveTheirWalls) {
             const auto solid =
                 closeWithWalls(moment, surface.triangles(), parameters, CoordinateType::float32);
             ASSERT_TRUE(solid.has_value());
-            EXPECT_EQ(whatIsWrong(*solid), "");
+            EXPECT_EQ(whatIsWrong(solid->mesh), "");
             EXPECT_EQ(moment.walls().count(), map.moment().walls().count());
             if (region.area > 0) {
                 const double left =
                     region.floorInside ? kWalledSize * kWalledSize - region.area : region.area;
-                EXPECT_NEAR(volumeOf(*solid) / -static_cast<double>(kWalledDepth), left,
+                EXPECT_NEAR(volumeOf(solid->mesh) / -static_cast<double>(kWalledDepth), left,
                             region.areaAllowed * spacing * spacing +
                                 0.02 * parameters.allowance * region.area);
             }
