@@ -407,8 +407,12 @@ private:
              std::llround(m_programMemory.with(expectedMapBytes(grid, scheduled(), mapOutputs())))},
             {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
-        if (hasWalls())
-            out["rims"] = countOf(m_frame.zmap.rims());
+        if (hasWalls()) {
+            const RimMap& rims = m_frame.zmap.rims();
+            out["rims"] = countOf(rims);
+            out["rimTilesUnknown"] = unknownTiles(rims);
+            out["ribsUnseen"] = unseenRibs(rims);
+        }
         out["records"] = totalsAsJson(m_totals, *m_program, m_frame.setup);
         m_options.meshes.addTo(out, m_surface.written());
         if (m_options.box.wanted())
@@ -438,6 +442,8 @@ private:
         const Grid& grid = m_frame.zmap.grid();
         if (m_job.setup.automaticGrid)
             fmt::print("grid: {:g} mm (automatic), {} × {} points\n", m_job.setup.spacing, grid.nx, grid.ny);
+        if (const std::size_t ribs = unseenRibs(m_frame.zmap.rims()); ribs > 0)
+            fmt::print("ribs thinner than the grid: between its points in {} places\n", ribs);
         printTools(m_job.setup.tools, true);
         printFiles(m_surface.written());
         m_options.box.print();

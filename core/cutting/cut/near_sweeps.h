@@ -8,24 +8,12 @@
 
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/falling_edges.h"
+#include "core/cutting/cut/plan_area.h"
 #include "core/cutting/cut/sweep.h"
 #include "core/zmap/rims.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
-
-/// An area in plan, mm, program coordinates.
-struct PlanArea {
-    Vec2 lo;
-    Vec2 hi;
-
-    /// Cutters a little beside it may have cut a point in single precision.
-    [[nodiscard]] bool meets(const Box3& box) const {
-        constexpr double kNear = 1e-4; // mm
-        return box.lo.x <= hi.x + kNear && box.hi.x >= lo.x - kNear && box.lo.y <= hi.y + kNear &&
-               box.hi.y >= lo.y - kNear;
-    }
-};
 
 /// The motions near some edges of a tile, as sweeps, by squares of it. Owned by one thread.
 class NearSweeps {

@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/cutting/cut/tile_rims.h"
+#include "core/cutting/cut/unseen_ribs.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/frame.h"
 
@@ -23,6 +24,14 @@ constexpr std::size_t kPortion = 256;
 constexpr std::size_t kPortionInTime = 4;
 /// The most motions over a tile that is looked at while the program is played: some milliseconds.
 constexpr std::size_t kMotionsInTime = 2000;
+
+RimTilePtr withUnseenRibs(RimTilePtr rims, std::vector<std::uint16_t> edges) {
+    if (edges.empty())
+        return rims;
+    RimTile all = rims == nullptr ? RimTile{} : *rims;
+    all.unseenRibs = std::move(edges);
+    return std::make_shared<const RimTile>(std::move(all));
+}
 
 std::size_t motionsOf(const Program& program, std::size_t blocks) {
     return blocks == 0 ? 0 : program.blockMotions(blocks - 1).last;
@@ -167,14 +176,24 @@ RimTilePtr RimFinder::rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::si
     if (stop.stop_requested() || isUncutBox)
         return nullptr;
     TileRimSearch search(zmap, tile, RimEdges::atLevels);
-    if (search.hasNone())
-        return nullptr;
-    for (const Program::MotionRange& range : ranges) {
-        for (std::size_t first = range.first; first < range.last && !search.isFull(); first += kMotionsOfLook)
-            eachCutterMotion(*m_program, {first, std::min(first + kMotionsOfLook, range.last)}, *m_setup,
-                             m_tools, [&](const CutterMotion& motion) { search.add(motion); });
-    }
-    return search.find(m_uncut.get(), stop);
+    UnseenRibs ribs(zmap, tile);
+    const auto eachMotion = [&](const auto& visit) {
+        for (const Program::MotionRange& range : ranges)
+            for (std::size_t first = range.first; first < range.last && !search.isFull();
+                 first += kMotionsOfLook)
+                eachCutterMotion(*m_program, {first, std::min(first + kMotionsOfLook, range.last)}, *m_setup,
+                                 m_tools, visit);
+    };
+    if (!search.hasNone() || !ribs.hasNone())
+        eachMotion([&](const CutterMotion& motion) {
+            search.add(motion);
+            ribs.add(motion);
+        });
+    RimTilePtr rims = search.find(m_uncut.get(), stop);
+    if (ribs.hasNone() || search.isFull() || stop.stop_requested() || !ribs.suspects(m_uncut.get()))
+        return rims;
+    eachMotion([&](const CutterMotion& motion) { ribs.lower(motion); });
+    return withUnseenRibs(std::move(rims), ribs.edges());
 }
 
 void RimFinder::adopt(std::size_t tile, RimTilePtr rims, std::size_t end) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ribs that stand between two points of a map, so that its heights say nothing of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/flat_pass.h"
+#include "core/zmap/rims.h"
+#include "core/zmap/stock_shape.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// Finds the edges of a tile on level floors that a rib crosses: both ends are on the floor, but no passes of
+/// flat cutters at its height cover the whole edge. Call add() for each motion that may reach the tile, then
+/// suspects(); if there are some, lower() for each motion again, and then edges(). Thinner than a
+/// ten-thousandth of a millimetre, or lower than an eighth of an edge, nothing counts as a rib. Refers to the
+/// map. Owned by one thread; the result is the same for any order of the motions.
+class UnseenRibs {
+public:
+    UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile);
+
+    /// Whether there are none, whatever was cut: the tile has no level floor.
+    [[nodiscard]] bool hasNone() const { return m_floors.empty(); }
+    void add(const CutterMotion& motion);
+    /// Whether some edges may have ribs. `uncut`: the top of the stock; null: the whole box.
+    [[nodiscard]] bool suspects(const StockTop* uncut);
+    void lower(const CutterMotion& motion);
+    /// RimEdge::index() of those with ribs, ascending.
+    [[nodiscard]] std::vector<std::uint16_t> edges() const;
+
+private:
+    using Row = FlatPass::Row;
+    using Rows = std::vector<Row>;
+    static constexpr int kSide = Tile::kSize + 1; ///< points of the tile, and the next one
+
+    /// Its edges, by their first points, and those of them that one pass covers.
+    struct Floor {
+        double height = 0; ///< relative to the top of the stock, mm
+        Rows alongX = Rows(kSide);
+        Rows alongY = Rows(kSide);
+        Rows coveredX = Rows(kSide);
+        Rows coveredY = Rows(kSide);
+        std::vector<FlatPass> passes = {};
+    };
+    struct Suspect {
+        RimEdge edge;
+        double floor;
+        Vec2 place;
+        double height; ///< of what stands there
+    };
+
+    /// By its first point, which is one of the tile or the one before it.
+    void addCell(int i, int j, double height);
+    [[nodiscard]] std::optional<std::size_t> floorAt(double height) const;
+    void cover(Floor& floor, const FlatPass& pass) const;
+    void suspect(const Floor& floor, const RimEdge& edge, const StockTop* uncut);
+    [[nodiscard]] Vec2 placeOf(int i, int j) const;
+
+    /// Whether it may have been cut on one of the floors near the tile: a quick test.
+    [[nodiscard]] bool mayBeOnFloor(const Motion& motion) const;
+
+    const ZMapSnapshot& m_zmap;
+    IndexRect m_tile;
+    double m_topZ;
+    const Cutter* m_cutter = nullptr; ///< of the last motion
+    std::optional<FlatEnd> m_end;     ///< its flat end
+    std::vector<Floor> m_floors;
+    std::vector<Suspect> m_suspects;
+};
+
+} // namespace proveout
