@@ -29,9 +29,7 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const ScreenshotRequest& reques
     m_settle.setInterval(kSettleMs);
     m_limit.setSingleShot(true);
     connect(&m_settle, &QTimer::timeout, this, &ScreenshotRun::take);
-    connect(&m_limit, &QTimer::timeout, this, [this] {
-        giveUp(m_sought ? "the requested block was not reached in 180 s" : "no stock to show after 180 s");
-    });
+    connect(&m_limit, &QTimer::timeout, this, &ScreenshotRun::reachLimit);
     connect(&window.session().playback(), &PlaybackHub::tick, this, &ScreenshotRun::look);
     if (m_shown.isNull()) {
         QTimer::singleShot(0, this, [this] { giveUp("there is no such panel"); });
@@ -74,8 +72,18 @@ void ScreenshotRun::look(const FramePtr& frame) {
         else
             session.playback().seek(wanted);
     }
-    if (frame->block == wanted)
+    m_reached = frame->block == wanted;
+    if (m_reached && frame->atRest)
         m_settle.start();
+    else
+        m_settle.stop();
+}
+
+void ScreenshotRun::reachLimit() {
+    if (m_reached)
+        take(); // while its surface is being refined
+    else
+        giveUp(m_sought ? "the requested block was not reached in 180 s" : "no stock to show after 180 s");
 }
 
 void ScreenshotRun::take() {

@@ -23,8 +23,8 @@ struct ScreenshotRequest {
     QSize size; ///< of the content; empty: the default size
 };
 
-/// Takes a screenshot as soon as the requested block is drawn, then quits the application: exit code 0, or 3
-/// with the reason on stderr if that was not possible in time.
+/// Takes a screenshot as soon as the requested block is drawn with its refined surface, then quits the
+/// application: exit code 0, or 3 with the reason on stderr if that was not possible in time.
 class ScreenshotRun final : public QObject {
     Q_OBJECT
 
@@ -35,12 +35,14 @@ private:
     [[nodiscard]] QWidget* shownAlone(const QString& panel, QSize size);
     void look(const FramePtr& frame);
     void take();
+    void reachLimit();
     void giveUp(const char* reason);
 
     MainWindow& m_window;
     ScreenshotRequest m_request;
     QPointer<QWidget> m_shown; ///< null: the panel does not exist
     bool m_sought = false;
+    bool m_reached = false;
     QTimer m_settle; ///< layout and painting are complete when no frame has arrived for a moment
     QTimer m_limit;
 };

@@ -42,6 +42,7 @@ struct Frame {
     bool toolAssumed = false; ///< no block called it: ToolChoice assumes that it is in the spindle
     double removedMm3 = 0;    ///< since the uncut stock
     bool playing = false;
+    bool atRest = false; ///< the surface is as good as it gets: no frame follows without a command
     /// The fraction of its speed that playback achieves, in (0, 1]; below 1 the stock lags behind the clock.
     double keptSpeed = 1;
     /// What stopped the run here; null if nothing did, or if the user has continued since.

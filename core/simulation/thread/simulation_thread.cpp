@@ -124,12 +124,18 @@ struct SimulationThread::State {
             seekOver = seekStarted;
         frame->seekOver = seekOver;
         frame->playing = playing;
+        frame->atRest = isAtRest();
         frame->keptSpeed = playing && !everyBlock ? clock.keptPart() : 1;
         addWalls(*frame);
         frame->stoppedBy = stoppedBy;
         mailbox.put(std::move(frame));
         if (listener.frameReady)
             listener.frameReady();
+    }
+
+    [[nodiscard]] bool isAtRest() const {
+        const bool works = goal || playing || !simulation->settled() || simulation->canRefine();
+        return resting || !works;
     }
 
     /// Unless the frame has all of them, or its method none.

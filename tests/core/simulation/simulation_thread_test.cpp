@@ -357,7 +357,8 @@ TEST(SimulationThread, ShowsABetterPictureAtRestUntilTheNextBlock) {
     thread.post(SeekCommand{43});
     const auto atRest = [](std::size_t block) {
         return [block](const Frame& shown) {
-            return shown.block == block && shown.level == ErrorLevel::surface;
+            EXPECT_EQ(shown.atRest, shown.level == ErrorLevel::surface);
+            return shown.block == block && shown.atRest;
         };
     };
     const auto rested = listening.waitFor(atRest(43));
@@ -369,6 +370,22 @@ TEST(SimulationThread, ShowsABetterPictureAtRestUntilTheNextBlock) {
     const auto stepped = listening.waitFor(atRest(44));
     ASSERT_NE(stepped, nullptr);
     EXPECT_NE(stepped->surface.triangles(), rested->surface.triangles());
+}
+
+TEST(SimulationThread, IsAtRestWhereNoBetterPictureFollows) {
+    DecimationParameters everyPoint;
+    everyPoint.method = DecimationMethod::none;
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(28, 60)), smallSetup(), everyPoint, 1});
+    thread.post(PlayCommand{1e-3, false});
+    const auto played = listening.waitFor([](const Frame& shown) { return shown.playing; });
+    ASSERT_NE(played, nullptr);
+    EXPECT_FALSE(played->atRest);
+    thread.post(PauseCommand{});
+    thread.post(SeekCommand{43});
+    EXPECT_NE(listening.waitFor([](const Frame& shown) { return shown.block == 43 && shown.atRest; }),
+              nullptr);
 }
 
 TEST(SimulationThread, ReportsWhyALoadFailed) {
