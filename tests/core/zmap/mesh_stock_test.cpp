@@ -9,50 +9,12 @@
 #include <numbers>
 #include <random>
 
+#include "tests/core/zmap/mesh_bodies.h"
+
 namespace proveout {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-void addBox(StockMesh& mesh, const Vec3& lo, const Vec3& hi) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (int k = 0; k < 8; ++k)
-        mesh.vertices.push_back({k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y, k & 4 ? hi.z : lo.z});
-    const std::array<std::array<std::uint32_t, 4>, 6> sides{
-        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-    for (const auto& s : sides) {
-        mesh.triangles.push_back({first + s[0], first + s[1], first + s[2]});
-        mesh.triangles.push_back({first + s[0], first + s[2], first + s[3]});
-    }
-}
-
-/// A closed body around a centre; `radiusAt` is called for each vertex.
-template<class RadiusAt>
-StockMesh starBody(const Vec3& centre, int rings, int slices, RadiusAt&& radiusAt) {
-    StockMesh mesh;
-    const auto add = [&](double theta, double phi) {
-        const Vec3 away(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-        mesh.vertices.push_back(centre + away * radiusAt());
-    };
-    add(0, 0);
-    for (int r = 1; r < rings; ++r)
-        for (int s = 0; s < slices; ++s)
-            add(kPi * r / rings, 2 * kPi * s / slices);
-    add(kPi, 0);
-    const auto at = [&](int r, int s) {
-        return r == 0       ? 0U
-               : r == rings ? static_cast<std::uint32_t>(mesh.vertices.size() - 1)
-                            : static_cast<std::uint32_t>(1 + (r - 1) * slices + s % slices);
-    };
-    for (int r = 0; r < rings; ++r)
-        for (int s = 0; s < slices; ++s) {
-            if (r > 0)
-                mesh.triangles.push_back({at(r, s), at(r + 1, s), at(r, s + 1)});
-            if (r + 1 < rings)
-                mesh.triangles.push_back({at(r, s + 1), at(r + 1, s), at(r + 1, s + 1)});
-        }
-    return mesh;
-}
 
 /// The z of a triangle's plane at a position that it covers in plan.
 std::optional<double> hit(const StockMesh& mesh, const std::array<std::uint32_t, 3>& triangle, double x,
