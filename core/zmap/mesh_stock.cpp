@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/zmap/grid_part.h"
+#include "core/zmap/mesh_top.h"
 #include "core/zmap/stock_body_findings.h"
 #include "core/zmap/stock_facet.h"
 #include "core/zmap/stock_findings.h"
@@ -275,6 +276,9 @@ public:
         fill(zmap, part, stock.corner - box().corner, [](const Band&, std::span<const Facet>) {});
         return zmap;
     }
+    [[nodiscard]] std::unique_ptr<StockTop> top(const StockBox& stock) const override {
+        return m_tops.top(m_mesh, m_box, Vec2(stock.corner - box().corner));
+    }
 
 private:
     /// Calls `look` with each band once it is complete, and its facets.
@@ -349,6 +353,7 @@ private:
     Box3 m_box;
     Diagnostics m_warnings;
     bool m_upIsOut = true;
+    MeshTops m_tops;
 };
 
 /// The average number of facets above one another.
@@ -358,10 +363,6 @@ double layersOf(const StockMesh& mesh, const Box3& box) {
         covered += std::abs(areaInPlan({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]})) / 2;
     return covered / ((box.hi.x - box.lo.x) * (box.hi.y - box.lo.y));
 }
-
-} // namespace
-
-namespace {
 
 /// The bounding box of a mesh, or why the mesh cannot be a stock.
 Result<Box3> boxOf(const StockMesh& mesh) {

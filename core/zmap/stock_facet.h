@@ -58,6 +58,7 @@ public:
     /// triangles at its edges are.
     [[nodiscard]] bool isUpright() const { return m_area == 0; }
     [[nodiscard]] bool looksUp() const { return m_area > 0; }
+    [[nodiscard]] double highest() const { return m_highest; }
     [[nodiscard]] double leastX() const { return std::min({m_corners[0].x, m_corners[1].x, m_corners[2].x}); }
     [[nodiscard]] double largestX() const {
         return std::max({m_corners[0].x, m_corners[1].x, m_corners[2].x});

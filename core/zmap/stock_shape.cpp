@@ -66,6 +66,10 @@ UncutStock uncutStock(const StockBox& stock, const StockShape& shape, const Grid
 std::unique_ptr<StockTop> topOf(const StockBox& stock, const StockShape& shape, const Grid& grid) {
     if (auto top = shape.body->top(stock))
         return top;
+    return mapTopOf(stock, shape, grid);
+}
+
+std::unique_ptr<StockTop> mapTopOf(const StockBox& stock, const StockShape& shape, const Grid& grid) {
     return std::make_unique<MapTop>(shape.body->uncut(stock, grid).zmap.snapshot());
 }
 

@@ -90,5 +90,8 @@ struct StockShape {
 /// this grid.
 [[nodiscard]] std::unique_ptr<StockTop> topOf(const StockBox& stock, const StockShape& shape,
                                               const Grid& grid);
+/// The same, from the z-map alone.
+[[nodiscard]] std::unique_ptr<StockTop> mapTopOf(const StockBox& stock, const StockShape& shape,
+                                                 const Grid& grid);
 
 } // namespace proveout

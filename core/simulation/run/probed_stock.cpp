@@ -58,8 +58,10 @@ ProbedStock::ProbedStock(std::shared_ptr<const Setup> setup)
       m_columns(squaresAlong(m_setup->stock.width, m_size)) {}
 
 const StockTop* ProbedStock::uncut(const Grid& grid) {
-    if (m_uncut == nullptr && m_setup->shape.body != nullptr)
-        m_uncut = topOf(m_setup->stock, m_setup->shape, grid);
+    const StockShape& shape = m_setup->shape;
+    // Results of probing a mesh have always been those of its map.
+    if (m_uncut == nullptr && shape.body != nullptr)
+        m_uncut = (shape.kind == StockKind::mesh ? mapTopOf : topOf)(m_setup->stock, shape, grid);
     return m_uncut.get();
 }
 

@@ -17,6 +17,7 @@
 #include "core/zmap/extruded_stock.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
+#include "tests/core/zmap/mesh_bodies.h"
 #include "tests/random_seed.h"
 
 namespace proveout {
@@ -159,6 +160,16 @@ TEST_F(RimFinderOf, FindsThoseOfStockThatIsNoBox) {
     const auto setup = toolsSetup(0.3);
     setup->shape.kind = StockKind::cylinder;
     setup->shape.body = extrudedStock({circleOutline(30)}, 10).value();
+    setup->stock = setup->shape.body->box();
+    EXPECT_GT(rimCount(RimFinder().find(started(programOf("G0 X0\n"), setup)->frame()).rims()), 0U)
+        << "uncut";
+    compareOnAnyPath(setup);
+}
+
+TEST_F(RimFinderOf, FindsThoseOfAMesh) {
+    const auto setup = toolsSetup(0.3);
+    setup->shape.kind = StockKind::mesh;
+    setup->shape.body = meshStock(roundBody(15, 10, 90)).value();
     setup->stock = setup->shape.body->box();
     EXPECT_GT(rimCount(RimFinder().find(started(programOf("G0 X0\n"), setup)->frame()).rims()), 0U)
         << "uncut";
