@@ -10,6 +10,7 @@
 #include "core/zmap/grid_part.h"
 #include "core/zmap/stock_body_findings.h"
 #include "core/zmap/stock_findings.h"
+#include "core/zmap/turned_rims.h"
 #include "core/zmap/zmap_findings.h"
 
 namespace proveout {
@@ -65,12 +66,12 @@ ZMapSnapshot turned(const ZMapSnapshot& map, StockTurn turn) {
             return {lastJ - j, i};
         }
     };
-    return mapOf(stock, grid,
-                 [&](int i, int j) {
-                     const Index from = before(i, j);
-                     return map.height(from.i, from.j);
-                 })
-        .snapshot();
+    ZMapSnapshot result = mapOf(stock, grid, [&](int i, int j) {
+                              const Index from = before(i, j);
+                              return map.height(from.i, from.j);
+                          }).snapshot();
+    result.setRims(turnedRims(map, turn));
+    return result;
 }
 
 float highestOf(const ZMapSnapshot& map) {
@@ -156,8 +157,7 @@ public:
         Undercut undercut = m_undercut;
         undercut.place += stock.corner - box().corner;
         const Grid& saved = m_map.grid();
-        const bool same = grid.nx == saved.nx && grid.ny == saved.ny && stock.height == box().height;
-        if (same)
+        if (hasGrid(stock, grid))
             return {sameTiles(m_map, stock, grid), undercut.reported()};
         Diagnostics findings = undercut.reported();
         const bool finer = isPartOf(saved.nx, grid.nx) && isPartOf(saved.ny, grid.ny);
@@ -165,11 +165,22 @@ public:
             findings.push_back(resamplingNote(grid));
         return {onOtherGrid(stock, GridPart(grid), grid), std::move(findings)};
     }
+    [[nodiscard]] RimMap rims(const StockBox& stock, const Grid& grid) const override {
+        const bool isWhole = std::abs(grid.hx / m_map.grid().hx - 1) < kSameSpacing &&
+                             std::abs(grid.hy / m_map.grid().hy - 1) < kSameSpacing;
+        return isWhole && hasGrid(stock, grid) ? m_map.rims() : RimMap();
+    }
     [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
         return onOtherGrid(part.stock(stock), part, part.grid());
     }
 
 private:
+    static constexpr double kSameSpacing = 1e-9; ///< but for rounding
+
+    [[nodiscard]] bool hasGrid(const StockBox& stock, const Grid& grid) const {
+        const Grid& saved = m_map.grid();
+        return grid.nx == saved.nx && grid.ny == saved.ny && stock.height == box().height;
+    }
     static bool isPartOf(int savedPoints, int points) { return (points - 1) % (savedPoints - 1) == 0; }
 
     /// `part`: where the points are in a grid over the whole stock.

@@ -2,6 +2,7 @@
 // Which part of a box of stock is material before the first cut.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/file_state.h"
 #include "core/base/geometry.h"
+#include "core/zmap/rims.h"
 #include "core/zmap/stock.h"
 #include "core/zmap/zmap.h"
 
@@ -46,6 +48,11 @@ public:
     [[nodiscard]] virtual double highest(const Vec2& lo, const Vec2& hi) const = 0;
     /// Whether walls are where it says: a map has them somewhere between its points.
     [[nodiscard]] virtual bool knowsWalls() const { return true; }
+    /// The rim of a wall of its own on an edge of the grid, if it does not know all; null: it does not know
+    /// one there. `tile`: index within the grid.
+    [[nodiscard]] virtual const Rim* rim(std::size_t /*tile*/, const RimEdge& /*edge*/) const {
+        return nullptr;
+    }
 };
 
 /// Material of any form. Immutable; any thread.
@@ -65,6 +72,8 @@ public:
     /// The top of the body itself rather than of its z-map, in the coordinates of `stock`. Null if the z-map
     /// is as good.
     [[nodiscard]] virtual std::unique_ptr<StockTop> top(const StockBox& /*stock*/) const { return nullptr; }
+    /// The rims of uncut(), as far as they are known; empty: none are, or not on this grid.
+    [[nodiscard]] virtual RimMap rims(const StockBox& /*stock*/, const Grid& /*grid*/) const { return {}; }
 };
 
 /// Which part of the box is stock: all of it, or a body. Value type.
@@ -87,10 +96,10 @@ struct StockShape {
 [[nodiscard]] UncutStock uncutStock(const StockBox& stock, const StockShape& shape, const Grid& grid);
 
 /// The top of a shape that is not a box, as accurate as possible: from its body, or else from its z-map on
-/// this grid.
+/// this grid and the rims that it has there.
 [[nodiscard]] std::unique_ptr<StockTop> topOf(const StockBox& stock, const StockShape& shape,
                                               const Grid& grid);
-/// The same, from the z-map alone.
+/// The same, from the z-map without rims.
 [[nodiscard]] std::unique_ptr<StockTop> mapTopOf(const StockBox& stock, const StockShape& shape,
                                                  const Grid& grid);
 

@@ -236,11 +236,18 @@ bool isUncut(const StockTop& uncut, const Vec2& point, double height) {
     return uncut.height(point) - height <= kRounding;
 }
 
+/// Whether a rim is that of a wall of the stock, whose heights may have changed.
+bool isOnWallOf(const Rim& own, const Rim& rim) {
+    constexpr int kRounding = 1;
+    return std::abs(own.highPlace - rim.highPlace) <= kRounding &&
+           std::abs(own.lowPlace - rim.lowPlace) <= kRounding;
+}
+
 } // namespace
 
 TileRimSearch::TileRimSearch(const ZMapSnapshot& zmap, std::size_t tile, RimEdges wanted)
-    : m_zmap(zmap), m_tile(zmap.tileRect(tile)), m_wanted(wanted), m_edges(fallingEdges(zmap, tile, wanted)),
-      m_sweeps(zmap, m_tile, m_edges) {}
+    : m_zmap(zmap), m_index(tile), m_tile(zmap.tileRect(tile)), m_wanted(wanted),
+      m_edges(fallingEdges(zmap, tile, wanted)), m_sweeps(zmap, m_tile, m_edges) {}
 
 RimTilePtr TileRimSearch::find(const StockTop* uncut, const std::stop_token& stop) {
     if (m_edges.empty())
@@ -253,14 +260,34 @@ RimTilePtr TileRimSearch::find(const StockTop* uncut, const std::stop_token& sto
     for (const FallingEdge& edge : m_edges) {
         if (stop.stop_requested())
             return nullptr;
-        const EdgeLine line = lineBelowPlateau(edge, m_zmap.grid(), m_tile);
-        if (uncut != nullptr && !uncut->knowsWalls() && isUncut(*uncut, line.at(line.length), edge.low))
-            continue; // the wall is one of the stock
-        const ExactSurface surface(m_zmap, uncut, m_sweeps.over(edge.edge, areaOf(line)));
-        if (const std::optional<Rim> rim = rimOn(edge, line, surface, m_wanted))
+        if (const std::optional<Rim> rim = rimOf(edge, uncut))
             rims.rims.push_back(*rim);
     }
     return rims.rims.empty() ? nullptr : std::make_shared<const RimTile>(std::move(rims));
+}
+
+std::optional<Rim> TileRimSearch::rimOf(const FallingEdge& edge, const StockTop* uncut) {
+    const EdgeLine line = lineBelowPlateau(edge, m_zmap.grid(), m_tile);
+    const Rim* own = uncut == nullptr ? nullptr : uncut->rim(m_index, edge.edge);
+    const bool isOfStock =
+        uncut != nullptr && !uncut->knowsWalls() && isUncut(*uncut, line.at(line.length), edge.low);
+    if (isOfStock && own == nullptr)
+        return std::nullopt;
+    const std::vector<const Sweep*> sweeps = m_sweeps.over(edge.edge, areaOf(line));
+    const auto found = [&](std::vector<const Sweep*> cut) {
+        return rimOn(edge, line, ExactSurface(m_zmap, uncut, std::move(cut)), m_wanted);
+    };
+    const bool isKept = own != nullptr && isOfStock && isUncut(*uncut, line.from, edge.high);
+    if (isKept && sweeps.empty())
+        return *own;
+    std::optional<Rim> rim = found(sweeps);
+    if (isKept && rim == found({})) // nothing was cut between the points either
+        return *own;
+    if (own != nullptr && rim && isOnWallOf(*own, *rim)) {
+        rim->normalX = own->normalX; // more exact than that of a map
+        rim->normalY = own->normalY;
+    }
+    return rim;
 }
 
 RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -31,7 +32,10 @@ public:
     [[nodiscard]] RimTilePtr find(const StockTop* uncut, const std::stop_token& stop);
 
 private:
+    [[nodiscard]] std::optional<Rim> rimOf(const FallingEdge& edge, const StockTop* uncut);
+
     const ZMapSnapshot& m_zmap;
+    std::size_t m_index;
     IndexRect m_tile;
     RimEdges m_wanted;
     std::vector<FallingEdge> m_edges;
@@ -48,7 +52,8 @@ private:
 /// rim if the surface falls by a jump there. Between levels, the wall includes what follows within a 64th of
 /// the edge: passes at several depths make one wall. With RimEdges::atLevels, the creases where a tapered
 /// wall or any other slope leaves a level, or comes down to one, are rims too, each with the side that is
-/// level. Walls of a stock that does not know them (StockTop::knowsWalls()) are none.
+/// level. Walls of a stock that does not know them (StockTop::knowsWalls()) are those that it has rims of
+/// (StockTop::rim()): the same bits where nothing cut them.
 [[nodiscard]] RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
                                     std::span<const CutterMotion> motions, const std::stop_token& stop = {},
                                     RimEdges wanted = RimEdges::all);

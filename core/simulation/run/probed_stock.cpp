@@ -59,9 +59,10 @@ ProbedStock::ProbedStock(std::shared_ptr<const Setup> setup)
 
 const StockTop* ProbedStock::uncut(const Grid& grid) {
     const StockShape& shape = m_setup->shape;
-    // Results of probing a mesh have always been those of its map.
+    // Results of probing a mesh, or saved stock, have always been those of its map.
+    const bool isMap = shape.kind == StockKind::mesh || shape.kind == StockKind::saved;
     if (m_uncut == nullptr && shape.body != nullptr)
-        m_uncut = (shape.kind == StockKind::mesh ? mapTopOf : topOf)(m_setup->stock, shape, grid);
+        m_uncut = (isMap ? mapTopOf : topOf)(m_setup->stock, shape, grid);
     return m_uncut.get();
 }
 

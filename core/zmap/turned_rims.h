@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/zmap/rims.h"
+#include "core/zmap/stock_shape.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// The rims of a map for the map that is turned; empty if it has none. Internal to this library.
+[[nodiscard]] RimMap turnedRims(const ZMapSnapshot& map, StockTurn turn);
+
+} // namespace proveout

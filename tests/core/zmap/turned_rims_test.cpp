@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rims of saved stock, as they come with it.
+#include "core/zmap/turned_rims.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+#include "core/zmap/map_top.h"
+#include "core/zmap/saved_stock.h"
+#include "tests/core/random_rims.h"
+#include "tests/random_seed.h"
+
+namespace proveout {
+namespace {
+
+class TurnedRims : public testing::Test {
+protected:
+    const std::uint32_t seed = randomSeed();
+    std::mt19937 random{seed};
+    const testing::ScopedTrace trace{__FILE__, __LINE__, testing::Message() << "seed " << seed};
+
+    /// 3 × 2 tiles with random heights and rims.
+    ZMapSnapshot randomMap() {
+        const StockBox stock{{-5, 7, 12}, 150.5, 91.1, 20};
+        ZMap zmap(stock, makeGrid(stock, 0.9).value());
+        std::uniform_real_distribution<float> height(zmap.floor(), 0);
+        for (std::size_t index = 0; index < zmap.tileCount(); ++index) {
+            const IndexRect rect = zmap.tileRect(index);
+            for (int j = 0; j < rect.height(); ++j)
+                for (int i = 0; i < rect.width(); ++i)
+                    zmap.tileForWriting(index).at(i, j) = height(random);
+        }
+        ZMapSnapshot map = zmap.snapshot();
+        map.setRims(randomRims(random, map));
+        return map;
+    }
+    static ZMapSnapshot turned(const ZMapSnapshot& map, StockTurn turn) {
+        const auto body = savedStock(map, 0.9, turn).value();
+        const Grid grid = makeGrid(body->box(), 0.9).value();
+        ZMapSnapshot result = body->uncut(body->box(), grid).zmap.snapshot();
+        result.setRims(body->rims(body->box(), grid));
+        return result;
+    }
+};
+
+TEST_F(TurnedRims, FourQuartersGiveTheSameBits) {
+    const ZMapSnapshot map = randomMap();
+    EXPECT_GT(countOf(map.rims()), 1000U);
+    ZMapSnapshot quarters = map;
+    for (const StockTurn turn :
+         {StockTurn::quarter, StockTurn::half, StockTurn::threeQuarters, StockTurn::none}) {
+        quarters = turned(quarters, StockTurn::quarter);
+        EXPECT_TRUE(sameRims(turned(map, turn).rims(), quarters.rims()));
+    }
+    EXPECT_TRUE(sameRims(quarters.rims(), map.rims()));
+}
+
+TEST_F(TurnedRims, AreAtTheSamePlacesOfThePart) {
+    const ZMapSnapshot map = randomMap();
+    const ZMapSnapshot quarter = turned(map, StockTurn::quarter);
+    const Grid& grid = quarter.grid();
+    ASSERT_EQ(countOf(quarter.rims()), countOf(map.rims()));
+    const MapTop top(map);
+    for (std::size_t tile = 0; tile < quarter.tileCount(); ++tile) {
+        if (quarter.rims()[tile] == nullptr)
+            continue;
+        const IndexRect rect = quarter.tileRect(tile);
+        for (const Rim& rim : quarter.rims()[tile]->rims) {
+            const RimEdge edge = RimEdge::of(rim.edge);
+            const int i = rect.i0 + edge.i;
+            const int j = rect.j0 + edge.j;
+            // x of the part is along y now, and y against x.
+            const int oldI = j;
+            const int oldJ = grid.nx - 1 - i - (edge.alongY ? 0 : 1);
+            const auto oldTile =
+                static_cast<std::size_t>(oldJ / Tile::kSize * map.tilesX() + oldI / Tile::kSize);
+            const Rim* before = top.rim(oldTile, {oldI % Tile::kSize, oldJ % Tile::kSize, !edge.alongY});
+            ASSERT_NE(before, nullptr);
+            EXPECT_NEAR(rim.fraction(true), edge.alongY ? before->fraction(true) : 1 - before->fraction(true),
+                        1.0 / 65536);
+            EXPECT_EQ(rim.normal(), Vec2(-before->normal().y, before->normal().x));
+            EXPECT_EQ(rim.top, before->top);
+            EXPECT_EQ(rim.sides, before->sides);
+        }
+    }
+}
+
+TEST_F(TurnedRims, AreNoneAfterAFlipAndOnAnotherGrid) {
+    const ZMapSnapshot map = randomMap();
+    const auto flipped = savedStock(map, 0.9, StockTurn::none, StockFlip::aboutX).value();
+    EXPECT_TRUE(flipped->rims(flipped->box(), makeGrid(flipped->box(), 0.9).value()).empty());
+    const auto body = savedStock(map, 0.9).value();
+    EXPECT_TRUE(body->rims(body->box(), makeGrid(body->box(), 0.45).value()).empty());
+    StockBox higher = body->box();
+    higher.height += 1;
+    EXPECT_TRUE(body->rims(higher, makeGrid(higher, 0.9).value()).empty());
+    StockBox moved = body->box();
+    moved.corner += Vec3(100.3, -20, 5);
+    EXPECT_TRUE(sameRims(body->rims(moved, makeGrid(moved, 0.9).value()), map.rims()));
+}
+
+TEST_F(TurnedRims, TheTopIsAStepAtThem) {
+    const StockBox stock{{0, 0, 0}, 4, 3, 5};
+    ZMap zmap(stock, makeGrid(stock, 1).value());
+    for (int j = 0; j < 4; ++j)
+        for (int i = 2; i < 5; ++i)
+            zmap.tileForWriting(0).at(i, j) = -4;
+    ZMapSnapshot map = zmap.snapshot();
+    RimTile rims;
+    // The wall is at x = 1.25 where y = 1, and leans over ground.
+    rims.rims.push_back({RimEdge{1, 1, false}.index(), 16384, 16384, RimSides::both, 0, -4, inRimUnits(-0.8),
+                         inRimUnits(0.6)});
+    map.setRims(RimMap(1, std::make_shared<const RimTile>(rims)));
+    const MapTop top(map);
+    EXPECT_EQ(top.height({1.2499, 1}), 0);
+    EXPECT_EQ(top.height({1.2501, 1}), -4);
+    EXPECT_EQ(top.height({1.2507, 1.001}), 0); // the wall is at 1.25075
+    EXPECT_EQ(top.height({1.2508, 1.001}), -4);
+    EXPECT_EQ(top.height({1.2493, 0.999}), -4);
+    EXPECT_EQ(top.height({1.2492, 0.999}), 0);
+    for (const double x : {0.0, 1.0, 2.0, 3.0})
+        EXPECT_EQ(top.height({x, 1}), map.height(static_cast<int>(x), 1));
+    EXPECT_NEAR(top.height({1.25, 2}), -1, 1e-9) << "nothing is known of that edge";
+    EXPECT_NEAR(top.height({1.25, 1.5}), -1, 1e-9) << "nor within cells";
+    EXPECT_FALSE(top.knowsWalls());
+}
+
+} // namespace
+} // namespace proveout
