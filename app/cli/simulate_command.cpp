@@ -81,6 +81,7 @@ public:
         m_options.box.run(*m_program, m_job.setup, m_frame.block, m_report);
         m_seconds.box = lap();
         findRims();
+        saveStock();
         if (!decimate() || !writeMeshes())
             return failed();
         m_seconds.total = m_lapped;
@@ -343,9 +344,14 @@ private:
                                  *m_program));
         if (!m_options.records.empty())
             fine(writeRecords(m_options.records, m_frame));
+        m_seconds.write = lap();
+    }
+
+    /// With its rims, but before the surface is made.
+    void saveStock() {
         if (!m_options.stock.empty())
             fine(writeStock(m_options.stock, m_frame.zmap, m_job.setup.spacing, provenance()));
-        m_seconds.write = lap();
+        m_seconds.write += lap();
     }
 
     /// False if there is not enough memory for the solid.

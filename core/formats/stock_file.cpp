@@ -14,6 +14,7 @@
 #include "core/formats/npy_header.h"
 #include "core/formats/stock_file_findings.h"
 #include "core/formats/stock_position_json.h"
+#include "core/formats/stock_rims.h"
 #include "core/formats/zip_file.h"
 #include "core/formats/zip_reader.h"
 
@@ -23,8 +24,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "heights are written as they lie in memory");
 
-/// 2: the position has separate fields.
-constexpr int kSchema = 2;
+/// 2: the position has separate fields. 3: it may have rims; without rims, 2 is written.
+constexpr int kSchema = 3;
+constexpr int kSchemaWithoutRims = 2;
 constexpr const char* kDescription = "stock.json";
 constexpr const char* kHeights = "heights.npy";
 constexpr std::string_view kHeightType = "<f4";
@@ -34,18 +36,21 @@ constexpr double kZip64From = 4e9; ///< size of an entry in bytes
 
 constexpr JsonRange kSize{0, 1e7, true};    ///< mm
 constexpr JsonRange kPoints{2, 2147483647}; ///< along a side
+constexpr int kMostRims = 2147483647;
+constexpr JsonRange kRims{0, kMostRims};
 
 struct Description {
     StockBox stock;
     int nx = 0;
     int ny = 0;
+    int rims = 0;
     double spacing = 1;
     StockProvenance provenance;
 };
 
 std::string textOf(const Description& d) {
     nlohmann::ordered_json out;
-    out["proveoutStock"] = kSchema;
+    out["proveoutStock"] = d.rims > 0 ? kSchema : kSchemaWithoutRims;
     writeStockPosition(out, d.stock);
     out["width"] = d.stock.width;
     out["depth"] = d.stock.depth;
@@ -53,6 +58,8 @@ std::string textOf(const Description& d) {
     out["spacing"] = d.spacing;
     out["nx"] = d.nx;
     out["ny"] = d.ny;
+    if (d.rims > 0)
+        out["rims"] = d.rims;
     out["provenance"] = {{"program", d.provenance.program},
                          {"blocks", d.provenance.blocks},
                          {"line", d.provenance.line},
@@ -60,8 +67,8 @@ std::string textOf(const Description& d) {
     return out.dump(2) + "\n";
 }
 
-tl::unexpected<Diagnostics> broken() {
-    return failure(stock_finding::kStockFileBroken, {kHeights});
+tl::unexpected<Diagnostics> broken(const char* entry = kHeights) {
+    return failure(stock_finding::kStockFileBroken, {entry});
 }
 
 Result<std::string> readDescription(ZipReader& zip) {
@@ -70,7 +77,7 @@ Result<std::string> readDescription(ZipReader& zip) {
     std::string text(kDescriptionLimit, '\0');
     text.resize(zip.read(text.data(), text.size()));
     if (!zip.intact())
-        return failure(stock_finding::kStockFileBroken, {kDescription});
+        return broken(kDescription);
     return text;
 }
 
@@ -96,6 +103,7 @@ Result<Description> parse(std::string_view text) {
     fields.read("spacing", d.spacing, kSize);
     fields.read("nx", d.nx, kPoints);
     fields.read("ny", d.ny, kPoints);
+    fields.read("rims", d.rims, kRims);
     JsonFields provenance = fields.object("provenance");
     provenance.read("program", d.provenance.program);
     double blocks = 0;
@@ -119,8 +127,11 @@ Result<Grid> gridOf(const Description& d) {
         return failure(
             stock_finding::kStockGridDiffers,
             {std::to_string(d.nx), std::to_string(d.ny), std::to_string(grid->nx), std::to_string(grid->ny)});
+    if (d.rims / 2.0 > static_cast<double>(grid->nx) * grid->ny) // an edge along each axis begins at a point
+        return broken(kRimsEntry);
     // Memory for the heights as they are read, in addition to the map that they become.
-    if (auto fits = checkMemory(d.stock, *grid, static_cast<double>(memoryLimitBytes())); !fits)
+    const double limit = static_cast<double>(memoryLimitBytes()) - bytesOfRims(std::size_t(d.rims));
+    if (auto fits = checkMemory(d.stock, *grid, limit); !fits)
         return tl::unexpected(std::move(fits.error()));
     return grid;
 }
@@ -177,6 +188,12 @@ Result<SavedStockFile> readFrom(ZipReader& zip) {
     auto zmap = readHeights(zip, description->stock, *grid);
     if (!zmap)
         return tl::unexpected(std::move(zmap.error()));
+    if (description->rims > 0) {
+        auto rims = readRims(zip, *zmap, static_cast<std::size_t>(description->rims));
+        if (!rims)
+            return broken(kRimsEntry);
+        zmap->setRims(std::move(*rims));
+    }
     return SavedStockFile{std::move(*zmap), description->spacing, description->provenance};
 }
 
@@ -185,13 +202,16 @@ Result<SavedStockFile> readFrom(ZipReader& zip) {
 Result<void> writeStock(const std::filesystem::path& file, const ZMapSnapshot& zmap, double spacing,
                         const StockProvenance& provenance) {
     const Grid& grid = zmap.grid();
+    const std::size_t rims = countOf(zmap.rims());
+    const bool hasRims = rims > 0 && rims <= kMostRims;
     std::string text;
     try {
-        text = textOf({zmap.stock(), grid.nx, grid.ny, spacing, provenance});
+        text = textOf(
+            {zmap.stock(), grid.nx, grid.ny, hasRims ? static_cast<int>(rims) : 0, spacing, provenance});
     } catch (const nlohmann::json::type_error&) { // the way in which dump() refuses bytes that are not UTF-8
         return failure(stock_finding::kStockNotUtf8, {}, file.string());
     }
-    const double bytes = 4.0 * grid.nx * grid.ny;
+    const double bytes = std::max(4.0 * grid.nx * grid.ny, bytesOfRims(rims));
     ZipFile zip(file, bytes > kZip64From);
     zip.beginEntry(kDescription);
     zip.write(text);
@@ -202,6 +222,8 @@ Result<void> writeStock(const std::filesystem::path& file, const ZMapSnapshot& z
         zmap.read({0, j, grid.nx, j + 1}, row);
         zip.write({reinterpret_cast<const char*>(row.data()), row.size() * sizeof(float)});
     }
+    if (hasRims)
+        writeRims(zip, zmap.rims(), rims);
     return zip.commit();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A stock as an earlier setup has left it, in one file: a ZIP archive of `stock.json`, which describes it,
-// and `heights.npy`, the heights relative to its top to the last bit; NumPy reads it by numpy.load().
+// and `heights.npy`, the heights relative to its top to the last bit; NumPy reads it by numpy.load(). If the
+// map has rims, `rims.npy` follows (stock_rims.h), and an older Proveout refuses the file as a newer format.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +37,8 @@ struct SavedStockFile {
 /// Reads it back. The size stated in the file is checked against the memory that may be allocated, and
 /// against the contents of the file, before anything is allocated. Errors: unreadable, not such a file,
 /// written by a newer Proveout, truncated, checksums, sizes that do not fit each other, heights that are not
-/// numbers or not within the stock.
+/// numbers or not within the stock, rims that are not in order, on edges of the grid and within the stock.
+/// Tiles whose rims are unknown come back without rims.
 [[nodiscard]] Result<SavedStockFile> readStock(const std::filesystem::path& file);
 
 } // namespace proveout

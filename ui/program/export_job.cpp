@@ -69,8 +69,11 @@ Result<void> checkTarget(const QString& file, std::uint64_t bytes) {
 }
 
 Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const QString& file,
-                           const StockProvenance& provenance) {
-    if (auto written = format.write(toPath(file), frame.zmap, frame.setup->spacing, provenance); !written)
+                           const StockProvenance& provenance, const WorkContext& context) {
+    const ZMapSnapshot zmap = mapToExport(frame, frame.parameters, context);
+    if (context.stopped())
+        return cancelled();
+    if (auto written = format.write(toPath(file), zmap, frame.setup->spacing, provenance); !written)
         return tl::unexpected(std::move(written.error()));
     std::error_code ignored;
     const auto bytes = std::filesystem::file_size(toPath(file), ignored);
@@ -191,7 +194,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const
         return summary;
     };
     if (stock != nullptr)
-        return ofMoment(save(*stock, frame, file, options.provenance));
+        return ofMoment(save(*stock, frame, file, options.provenance, context));
     return ofMoment(write(frame, file, options, context, limitBytes));
 }
 

@@ -9,6 +9,8 @@
 
 #include "core/base/atomic_file.h"
 #include "core/decimation/surface/map_memory.h"
+#include "core/formats/stock_file.h"
+#include "core/zmap/extruded_stock.h"
 #include "core/zmap/zmap.h"
 #include "tests/core/file_size_limit.h"
 #include "tests/core/formats/steep_maps.h"
@@ -72,6 +74,29 @@ private slots:
         const Result<ExportSummary> written = exportFrame(frame, file, {}, {}, 150e6);
         QVERIFY2(written, written ? "" : qPrintable(sentence(written.error().front())));
         QVERIFY(QFile::exists(file));
+    }
+
+    /// Playback shows the moment without its rims.
+    void aSavedStockHasTheRimsOfItsMoment() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.pvstock"));
+        auto setup = std::make_shared<Setup>();
+        setup->shape.kind = StockKind::cylinder;
+        setup->shape.body = extrudedStock({circleOutline(9.7)}, 5).value();
+        setup->stock = setup->shape.body->box();
+        setup->spacing = 0.5;
+        Frame frame;
+        frame.setup = setup;
+        frame.program = std::make_shared<const Program>();
+        frame.zmap =
+            uncutStock(setup->stock, setup->shape, makeGrid(setup->stock, 0.5).value()).zmap.snapshot();
+        const auto rimsInFile = [&] {
+            const auto summary = exportFrame(frame, file, {.format = findFormat("stock")}, {});
+            return summary ? countOf(readStock(toPath(file))->zmap.rims()) : 0;
+        };
+        QVERIFY(rimsInFile() > 50);
+        frame.parameters.method = DecimationMethod::lee; // which needs a plain map
+        QCOMPARE(rimsInFile(), std::size_t{0});
     }
 
     void theEndingNamesTheFormatWhereNoneIsChosen() {
