@@ -15,6 +15,8 @@
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/run/frame.h"
 #include "core/zmap/extruded_stock.h"
+#include "core/zmap/mesh_stock.h"
+#include "core/zmap/saved_stock.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 #include "tests/core/zmap/mesh_bodies.h"
@@ -173,6 +175,23 @@ TEST_F(RimFinderOf, FindsThoseOfAMesh) {
     setup->stock = setup->shape.body->box();
     EXPECT_GT(rimCount(RimFinder().find(started(programOf("G0 X0\n"), setup)->frame()).rims()), 0U)
         << "uncut";
+    compareOnAnyPath(setup);
+}
+
+TEST_F(RimFinderOf, FindsThoseOfSavedStock) {
+    const auto before = toolsSetup();
+    const auto first = started(programOf("T2 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX35 Y21\nG3 I-5 J3\n"), before);
+    first->seek(first->blockCount());
+    const ZMapSnapshot saved = RimFinder().find(first->frame());
+    const auto setup = toolsSetup();
+    setup->shape.kind = StockKind::saved;
+    setup->shape.body = savedStock(saved, setup->spacing).value();
+    const RimMap uncut = RimFinder().find(started(programOf("G0 X0\n"), setup)->frame()).rims();
+    EXPECT_GT(rimCount(uncut), 100U);
+    std::vector<RimTilePtr> wanted;
+    for (std::size_t tile = 0; tile < saved.rims().size(); ++tile)
+        wanted.push_back(saved.rims()[tile]);
+    EXPECT_EQ(differentTiles(uncut, wanted), 0U);
     compareOnAnyPath(setup);
 }
 
