@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/cutting/cut/sweep.h"
 #include "core/cutting/profiles/convex_profile.h"
@@ -11,6 +12,27 @@
 namespace proveout {
 
 namespace {
+
+/// The largest radius at which a profile is not above a height.
+double radiusOf(const ConvexProfile& profile, double height) {
+    if (height < profile.z0)
+        return 0;
+    if (profile.side == ConvexProfile::Side::line)
+        return std::min(profile.flatTo + (height - profile.z0) / profile.slope, profile.rim);
+    if (profile.side == ConvexProfile::Side::arc && height < profile.centreZ) {
+        const double down = profile.centreZ - height;
+        const double out = std::sqrt(std::max(0.0, profile.radius * profile.radius - down * down));
+        return std::min(std::max(profile.flatTo, profile.centreR + out), profile.rim);
+    }
+    return profile.rim;
+}
+
+/// The same line with X and Y exchanged.
+StraightPath exchanged(StraightPath path) {
+    std::swap(path.from.x, path.from.y);
+    std::swap(path.along.x, path.along.y);
+    return path;
+}
 
 void addColumns(const Columns& columns, FlatPass::Row& row) {
     if (columns.empty())
@@ -21,34 +43,42 @@ void addColumns(const Columns& columns, FlatPass::Row& row) {
 
 } // namespace
 
-FlatEnd::FlatEnd(const Cutter& cutter) : height(std::numeric_limits<double>::infinity()), radius(0) {
-    for (const ConvexProfile& profile : convexProfiles(cutter, 0)) {
-        if (profile.z0 > height)
-            continue;
-        radius = profile.z0 < height ? profile.flatTo : std::max(radius, profile.flatTo);
-        height = profile.z0;
-    }
+CutterEnd::CutterEnd(const Cutter& cutter)
+    : m_profiles(convexProfiles(cutter, 0)), m_lowest(std::numeric_limits<double>::infinity()) {
+    for (const ConvexProfile& profile : m_profiles)
+        m_lowest = std::min(m_lowest, profile.z0);
 }
 
-std::optional<FlatPass> FlatPass::of(const FlatEnd& end, const Motion& motion, double topZ) {
-    if (!(end.radius > 0) || !motion.known() || !withinLimits(motion))
+double CutterEnd::radiusUpTo(double height) const {
+    double radius = 0;
+    for (const ConvexProfile& profile : m_profiles)
+        radius = std::max(radius, radiusOf(profile, height));
+    return radius;
+}
+
+std::optional<FlatPass> FlatPass::of(const CutterEnd& end, const Motion& motion, double topZ,
+                                     double stockFloor) {
+    if (!motion.known() || !withinLimits(motion))
+        return std::nullopt;
+    const double tip = std::min(motion.start.z, motion.end.z) - topZ;
+    const double radius = end.radiusUpTo(std::max(end.lowest(), stockFloor - tip));
+    if (!(radius > 0))
         return std::nullopt;
     FlatPass pass;
     const Vec3 origin(motion.start.x, motion.start.y, topZ);
     pass.m_origin = Vec2(origin);
-    pass.m_radius = end.radius + rimSlack(motion);
+    pass.m_radius = radius + rimSlack(motion);
+    pass.m_height = std::max(tip + end.lowest(), stockFloor);
     if (motion.kind == MotionKind::arc && motion.sweep != 0) {
         pass.m_circle = arcPath(motion, origin);
         if (!pass.m_circle->levelCircle())
             return std::nullopt;
-        pass.m_height = pass.m_circle->centre.z + end.height;
         pass.m_circleParts = splitArc(*pass.m_circle);
         std::ranges::sort(pass.m_circleParts, {}, &ArcPart::middle);
     } else {
         pass.m_straight = straightPath(motion.start - origin, motion.end - origin);
         if (pass.m_straight.slope != 0 && pass.m_straight.length > 0)
             return std::nullopt;
-        pass.m_height = pass.m_straight.z + end.height;
     }
     return pass;
 }
@@ -71,6 +101,44 @@ bool FlatPass::covers(std::size_t part, const Vec2& place) const {
     const Vec2 to = point - m_straight.from;
     const double along = std::clamp(glm::dot(to, m_straight.along), 0.0, m_straight.length);
     return glm::length(to - along * m_straight.along) <= m_radius;
+}
+
+bool FlatPass::mayLeavePillar(double edge) const {
+    return m_circle && m_circle->radius > m_radius && m_circle->radius - m_radius < 2 * edge;
+}
+
+Span FlatPass::spanOn(std::size_t part, const Vec2& from, bool alongY) const {
+    Vec2 start = from - m_origin;
+    StraightPath line = m_circle ? m_circleParts[part].chord : m_straight;
+    if (alongY) {
+        std::swap(start.x, start.y);
+        line = exchanged(line);
+    }
+    const auto within = [&](double radius) {
+        const Span span = rowSpan(line, radius, start.y);
+        return Span{span.lo - start.x, span.hi - start.x};
+    };
+    if (!m_circle)
+        return within(m_radius);
+    const auto isUnder = [&](double way) {
+        return covers(part, from + (alongY ? Vec2(0, way) : Vec2(way, 0)));
+    };
+    const double bulge = m_circleParts[part].bulge;
+    const Span most = within(m_radius + bulge);
+    Span span = within(m_radius - bulge);
+    if (span.lo > span.hi)
+        span = {(most.lo + most.hi) / 2, (most.lo + most.hi) / 2};
+    if (most.lo > most.hi || !isUnder(span.lo))
+        return {1, 0};
+    const auto endBetween = [&](double inside, double outside) {
+        constexpr int kHalvingsOfEnd = 30;
+        for (int k = 0; k < kHalvingsOfEnd; ++k) {
+            const double middle = (inside + outside) / 2;
+            (isUnder(middle) ? inside : outside) = middle;
+        }
+        return inside;
+    };
+    return {endBetween(span.lo, most.lo), endBetween(span.hi, most.hi)};
 }
 
 FlatPass::Row FlatPass::pointsUnder(std::size_t part, const RowPoints& row) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "core/cutting/cut/falling_edges.h"
@@ -20,7 +21,6 @@ constexpr float kSameFloor = 1e-4F;
 constexpr double kThinnest = 1e-4;
 /// Of a rib over its floor, as a part of an edge: the least height of a wall.
 constexpr double kLeastHeight = kWallSlope / 2;
-constexpr int kHalvingsOfCover = 40;
 
 /// The points of a tile, with one before it and one after it.
 constexpr std::size_t kWide = Tile::kSize + 2;
@@ -43,44 +43,6 @@ PROVEOUT_VECTOR_CLONES bool markLevel(const float* row, const float* next, RowMa
         any = static_cast<std::uint8_t>(any | marks[i]);
     }
     return any != 0;
-}
-
-struct PartOfPass {
-    const FlatPass* pass;
-    std::size_t part;
-
-    [[nodiscard]] bool covers(const Vec2& place) const { return pass->covers(part, place); }
-};
-
-/// The farthest place of an edge from `from` that a part covers, as a part of the edge; it covers the place
-/// at `begin`.
-double endOfCover(const PartOfPass& part, const Vec2& from, const Vec2& way, double begin) {
-    if (part.covers(from + way))
-        return 1;
-    double inside = begin;
-    double outside = 1;
-    for (int k = 0; k < kHalvingsOfCover; ++k) {
-        const double middle = (inside + outside) / 2;
-        (part.covers(from + way * middle) ? inside : outside) = middle;
-    }
-    return inside;
-}
-
-/// How far several parts cover an edge from its first point without a gap, as a part of it.
-double coverFrom(const std::vector<PartOfPass>& parts, const Vec2& from, const Vec2& way, double gap) {
-    double end = 0;
-    for (bool goesOn = true; goesOn && end < 1;) {
-        goesOn = false;
-        const double begin = end == 0 ? 0 : std::min(end + gap, 1.0);
-        for (const PartOfPass& part : parts) {
-            if (!part.covers(from + way * begin))
-                continue;
-            const double to = endOfCover(part, from, way, begin);
-            goesOn = goesOn || to > end + gap;
-            end = std::max(end, to);
-        }
-    }
-    return end;
 }
 
 } // namespace
@@ -145,21 +107,47 @@ void UnseenRibs::add(const CutterMotion& motion) {
         m_end.emplace(*motion.cutter);
     if (!mayBeOnFloor(motion.motion))
         return;
-    std::optional<FlatPass> pass = FlatPass::of(*m_end, motion.motion, m_topZ);
-    if (!pass)
+    const std::optional<FlatPass> pass =
+        FlatPass::of(*m_end, motion.motion, m_topZ, static_cast<double>(m_zmap.floor()));
+    const auto at = pass ? floorAt(pass->height()) : std::nullopt;
+    if (!at)
         return;
-    if (const auto at = floorAt(pass->height())) {
-        cover(m_floors[*at], *pass);
-        m_floors[*at].passes.push_back(std::move(*pass));
-    }
+    Floor& floor = m_floors[*at];
+    const double edge = std::max(m_zmap.grid().hx, m_zmap.grid().hy);
+    if (!pass->mayLeavePillar(edge))
+        cover(floor, *pass);
+    for (std::size_t part = 0; part < pass->parts(); ++part)
+        eachSquare(pass->areaOf(part), [&](std::size_t square) {
+            floor.parts[square].push_back(
+                {static_cast<std::uint32_t>(floor.passes.size()), static_cast<std::uint32_t>(part)});
+        });
+    floor.passes.push_back(*pass);
+}
+
+template<class Visit>
+void UnseenRibs::eachSquare(const PlanArea& area, const Visit& visit) const {
+    const Vec2 first = placeOf(0, 0);
+    const Vec2 size = Vec2(m_zmap.grid().hx, m_zmap.grid().hy) * double{kPoints};
+    // The edges of a square reach to the first points of the next one.
+    const auto squares = [](double low, double high) {
+        constexpr double kNear = 1e-3;
+        return std::pair(
+            std::max(static_cast<int>(std::floor(std::clamp(low - kNear, -1.0, 9.0))), 0),
+            std::min(static_cast<int>(std::floor(std::clamp(high + kNear, -1.0, 9.0))), kSquares - 1));
+    };
+    const auto [i0, i1] = squares((area.lo.x - first.x) / size.x, (area.hi.x - first.x) / size.x);
+    const auto [j0, j1] = squares((area.lo.y - first.y) / size.y, (area.hi.y - first.y) / size.y);
+    for (int j = j0; j <= j1; ++j)
+        for (int i = i0; i <= i1; ++i)
+            visit(static_cast<std::size_t>(j * kSquares + i));
 }
 
 bool UnseenRibs::mayBeOnFloor(const Motion& motion) const {
     const bool isArc = motion.kind == MotionKind::arc;
-    const double lowest = std::min(motion.start.z, motion.end.z) + m_end->height - m_topZ;
-    if (!(m_end->radius > 0) || (isArc && motion.start.z != motion.end.z) || !floorAt(lowest))
+    const double lowest = std::min(motion.start.z, motion.end.z) + m_end->lowest() - m_topZ;
+    if ((isArc && motion.start.z != motion.end.z) || !floorAt(lowest))
         return false;
-    const Vec2 around(m_end->radius + (isArc ? 2 * glm::distance(motion.start, motion.centre) : 0));
+    const Vec2 around(m_cutter->radius() + (isArc ? 2 * glm::distance(motion.start, motion.centre) : 0));
     const PlanArea near{glm::min(Vec2(motion.start), Vec2(motion.end)) - around,
                         glm::max(Vec2(motion.start), Vec2(motion.end)) + around};
     return near.meets(PlanArea{placeOf(0, 0), placeOf(kSide, kSide)});
@@ -220,26 +208,35 @@ bool UnseenRibs::suspects(const StockTop* uncut) {
             }
         }
     }
-    return !m_suspects.empty();
+    return m_count > 0;
 }
 
 void UnseenRibs::suspect(const Floor& floor, const RimEdge& edge, const StockTop* uncut) {
     const Vec2 from = placeOf(edge.i, edge.j);
     const Vec2 to = placeOf(edge.i + (edge.alongY ? 0 : 1), edge.j + (edge.alongY ? 1 : 0));
-    std::vector<PartOfPass> parts;
-    for (const FlatPass& pass : floor.passes)
-        for (std::size_t part = 0; part < pass.parts(); ++part)
-            if (pass.areaOf(part).meets(PlanArea{from, to}))
-                parts.push_back({&pass, part});
-    const double gap = kThinnest / glm::distance(from, to);
-    const double end = coverFrom(parts, from, to - from, gap);
-    const double begin = 1 - coverFrom(parts, to, from - to, gap);
-    if (!(begin - end > gap))
-        return;
-    for (const double part : {0.1, 0.3, 0.5, 0.7, 0.9}) { // others may pass between
-        const Vec2 place = from + (to - from) * glm::mix(end, begin, part);
-        const double top = uncut == nullptr ? 0 : std::min(0.0, uncut->height(place));
-        m_suspects.push_back({edge, floor.height, place, top});
+    const double length = glm::distance(from, to);
+    const auto square = static_cast<std::size_t>(edge.j / kPoints * kSquares + edge.i / kPoints);
+    std::vector<Span> covered;
+    for (const auto& [pass, part] : floor.parts[square]) {
+        if (!floor.passes[pass].areaOf(part).meets(PlanArea{from, to}))
+            continue;
+        const Span span = floor.passes[pass].spanOn(part, from, edge.alongY);
+        if (span.lo <= span.hi && span.hi >= 0 && span.lo <= length)
+            covered.push_back(span);
+    }
+    std::ranges::sort(covered, {}, &Span::lo);
+    if (covered.empty() || covered.front().lo > kThinnest ||
+        std::ranges::max(covered, {}, &Span::hi).hi < length - kThinnest)
+        return; // an end is on a floor of the stock, or on one that something else has cut
+    double end = covered.front().hi;
+    for (const Span& span : covered) {
+        if (span.lo - end > kThinnest) {
+            const Vec2 place = from + (to - from) * ((end + span.lo) / 2 / length);
+            const double top = uncut == nullptr ? 0 : std::min(0.0, uncut->height(place));
+            m_suspects[square].push_back({edge, floor.height, place, top});
+            ++m_count;
+        }
+        end = std::max(end, span.hi);
     }
 }
 
@@ -249,17 +246,17 @@ void UnseenRibs::lower(const CutterMotion& motion) {
     const Sweep sweep(*motion.cutter, motion.motion, m_topZ);
     if (sweep.empty())
         return;
-    for (Suspect& at : m_suspects) {
-        const Box3& reach = sweep.reach();
-        if (reach.lo.x <= at.place.x && reach.hi.x >= at.place.x && reach.lo.y <= at.place.y &&
-            reach.hi.y >= at.place.y && reach.lo.z < at.height)
-            at.height = std::min(at.height, sweep.envelope(at.place.x, at.place.y, at.height));
-    }
+    const Box3& reach = sweep.reach();
+    eachSquare({Vec2(reach.lo), Vec2(reach.hi)}, [&](std::size_t square) {
+        for (Suspect& at : m_suspects[square])
+            if (reach.lo.z < at.height)
+                at.height = std::min(at.height, sweep.envelope(at.place.x, at.place.y, at.height));
+    });
 }
 
 std::vector<std::uint16_t> UnseenRibs::edges() const {
     std::vector<std::uint16_t> edges;
-    for (const Suspect& at : m_suspects) {
+    for (const Suspect& at : m_suspects | std::views::join) {
         const double length = at.edge.alongY ? m_zmap.grid().hy : m_zmap.grid().hx;
         if (at.height - at.floor > kLeastHeight * length)
             edges.push_back(at.edge.index());

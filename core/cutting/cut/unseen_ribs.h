@@ -2,6 +2,7 @@
 // Ribs that stand between two points of a map, so that its heights say nothing of them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,17 +11,19 @@
 #include "core/base/geometry.h"
 #include "core/cutting/cut/cutting.h"
 #include "core/cutting/cut/flat_pass.h"
+#include "core/cutting/cut/plan_area.h"
 #include "core/zmap/rims.h"
 #include "core/zmap/stock_shape.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
 
-/// Finds the edges of a tile on level floors that a rib crosses: both ends are on the floor, but no passes of
-/// flat cutters at its height cover the whole edge. Call add() for each motion that may reach the tile, then
-/// suspects(); if there are some, lower() for each motion again, and then edges(). Thinner than a
-/// ten-thousandth of a millimetre, or lower than an eighth of an edge, nothing counts as a rib. Refers to the
-/// map. Owned by one thread; the result is the same for any order of the motions.
+/// Finds the edges of a tile on level floors that a rib crosses: flat cutters, or any that went below the
+/// floor of the stock, passed over both ends on level motions, but do not cover the whole edge. Call add()
+/// for each motion that may reach the tile, then suspects(); if there are some, lower() for each motion
+/// again, and then edges(). Thinner than a ten-thousandth of a millimetre, or lower than an eighth of an
+/// edge, nothing counts as a rib. Refers to the map. Owned by one thread; the result is the same for any
+/// order of the motions.
 class UnseenRibs {
 public:
     UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile);
@@ -38,6 +41,16 @@ private:
     using Row = FlatPass::Row;
     using Rows = std::vector<Row>;
     static constexpr int kSide = Tile::kSize + 1; ///< points of the tile, and the next one
+    static constexpr int kPoints = 8;             ///< of a square
+    static constexpr int kSquares = Tile::kSize / kPoints;
+
+    struct PartOfPass {
+        std::uint32_t pass;
+        std::uint32_t part;
+    };
+    /// In lists by squares of points, of the tile and the next ones.
+    template<class Value>
+    using BySquare = std::array<std::vector<Value>, std::size_t{kSquares} * kSquares>;
 
     /// Its edges, by their first points, and those of them that one pass covers.
     struct Floor {
@@ -47,6 +60,7 @@ private:
         Rows coveredX = Rows(kSide);
         Rows coveredY = Rows(kSide);
         std::vector<FlatPass> passes = {};
+        BySquare<PartOfPass> parts = {};
     };
     struct Suspect {
         RimEdge edge;
@@ -60,6 +74,9 @@ private:
     [[nodiscard]] std::optional<std::size_t> floorAt(double height) const;
     void cover(Floor& floor, const FlatPass& pass) const;
     void suspect(const Floor& floor, const RimEdge& edge, const StockTop* uncut);
+    /// Calls `visit(square)` for the squares whose edges an area may meet.
+    template<class Visit>
+    void eachSquare(const PlanArea& area, const Visit& visit) const;
     [[nodiscard]] Vec2 placeOf(int i, int j) const;
 
     /// Whether it may have been cut on one of the floors near the tile: a quick test.
@@ -69,9 +86,10 @@ private:
     IndexRect m_tile;
     double m_topZ;
     const Cutter* m_cutter = nullptr; ///< of the last motion
-    std::optional<FlatEnd> m_end;     ///< its flat end
+    std::optional<CutterEnd> m_end;   ///< its end
     std::vector<Floor> m_floors;
-    std::vector<Suspect> m_suspects;
+    std::size_t m_count = 0; ///< of suspects
+    BySquare<Suspect> m_suspects;
 };
 
 } // namespace proveout

@@ -199,6 +199,29 @@ TEST(UnseenRibs, ThatAnotherMotionHasCutAreNone) {
     EXPECT_LT(left, 11U);
 }
 
+/// A ball that goes below the floor of the stock covers points there with more than its tip.
+TEST(UnseenRibs, AreFoundBetweenSlotsThroughTheStock) {
+    Floors floors{cutterOf("ball:d=4"), 2, 2, {}};
+    for (const double y : {6.35, 10.65})
+        floors.paths.push_back(straightMotion({6.2, y, -3}, {17.9, y, -3}));
+    floors.cutAll();
+    const std::vector<Edge> ribs = found(floors);
+    for (int i = 7; i <= 17; ++i)
+        EXPECT_TRUE(std::ranges::binary_search(ribs, Edge{i, 8, true})) << i;
+}
+
+TEST(UnseenRibs, ArePillarsInCirclesToo) {
+    for (const double radius : {0.02, 0.1, 0.3}) {
+        for (const double cutter : {3.0, 10.0}) {
+            Floors floors{cutterOf("flat:d=" + std::to_string(2 * cutter)), cutter, 0, {}};
+            floors.paths.push_back(
+                arcMotion(Plane::xy, {12.5, 10, depth()}, cutter + radius, 0.3, kTurn, 0, cutter + radius));
+            floors.cutAll();
+            EXPECT_EQ(found(floors), (std::vector<Edge>{{12, 10, false}})) << radius << " " << cutter;
+        }
+    }
+}
+
 TEST(UnseenRibs, OfRandomPassesAreThoseOfTheOracle) {
     const std::uint32_t first = randomSeed();
     std::size_t all = 0;
