@@ -62,6 +62,7 @@ public:
     [[nodiscard]] const IndexRect& rect() const { return m_rect; }
     [[nodiscard]] const Grid& grid() const { return m_zmap.grid(); }
     [[nodiscard]] float height(int i, int j) const { return m_zmap.height(i, j); }
+    [[nodiscard]] bool isOnFloor(int i, int j) const { return height(i, j) <= m_zmap.floor(); }
     [[nodiscard]] Vec2 cell() const { return {grid().hx, grid().hy}; }
 
     /// Whether a rim is in one of the four cells around a point of the tile.

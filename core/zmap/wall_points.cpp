@@ -53,16 +53,21 @@ public:
         const Grid& grid = around.grid();
         m_freeX = i > 0 && i < grid.nx - 1;
         m_freeY = j > 0 && j < grid.ny - 1;
-        for (const GridStep& step : kSteps) {
+        for (const GridStep& step : kSteps)
             if (step.di != 0 ? m_freeX : m_freeY)
                 look(step);
-        }
+        m_isFree = m_freeX && m_freeY;
+        if (m_isFree || m_count > 0 || !isOutsideStock())
+            return;
+        m_isFree = true;
+        for (const GridStep& step : kSteps)
+            look(step);
     }
 
     [[nodiscard]] std::optional<WallPlace> place() const {
         if (m_mixed)
             return stays();
-        if (m_freeX && m_freeY) {
+        if (m_isFree) {
             if (const auto sharp = ofCells(&CellWalls::sharp))
                 return sharp;
             const auto opposite = m_count == 0 ? ofCells(&CellWalls::oppositeOfCut) : std::nullopt;
@@ -100,6 +105,19 @@ private:
     /// It is beside a wall all the same.
     [[nodiscard]] WallPlace stays() const {
         return {Vec2(0), static_cast<double>(m_around.height(m_i, m_j))};
+    }
+
+    /// Whether nothing is left at a point of the border, nor beside it along the border: nothing is drawn
+    /// there, so that it may leave the border for a wall inside.
+    [[nodiscard]] bool isOutsideStock() const {
+        const Grid& grid = m_around.grid();
+        const auto isNothing = [&](int i, int j) {
+            const bool isInMap = i >= 0 && j >= 0 && i < grid.nx && j < grid.ny;
+            const bool isOnBorder = i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1;
+            return !isInMap || !isOnBorder || m_around.isOnFloor(i, j);
+        };
+        return isNothing(m_i, m_j) && isNothing(m_i - 1, m_j) && isNothing(m_i + 1, m_j) &&
+               isNothing(m_i, m_j - 1) && isNothing(m_i, m_j + 1);
     }
 
     struct Seen {
@@ -144,6 +162,7 @@ private:
     int m_j;
     bool m_freeX = false; ///< not on the border of the map
     bool m_freeY = false;
+    bool m_isFree = false; ///< to move to any place around it
     bool m_high = false;
     bool m_mixed = false;     ///< both above one wall and below another: it stays
     bool m_isOnSlope = false; ///< that begins or ends before the next point: beside the crease, it stays
@@ -164,6 +183,13 @@ bool sameAround(const ZMapSnapshot& a, const RimMap& before, std::size_t tile) {
     return true;
 }
 
+/// A way from a point that does not leave the map: round walls are estimated between rims.
+Vec2 insideMap(const Grid& grid, int i, int j, const Vec2& way) {
+    const Vec2 point(grid.x(i), grid.y(j));
+    return glm::clamp(way, Vec2(grid.x(0), grid.y(0)) - point,
+                      Vec2(grid.x(grid.nx - 1), grid.y(grid.ny - 1)) - point);
+}
+
 } // namespace
 
 std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size_t tile) {
@@ -180,11 +206,13 @@ std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size
             if (!around.isNearRim(i, j))
                 continue;
             const auto place = PointPlace(around, cells, i, j).place();
-            if (place)
-                walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
-                                        place->isUpright, static_cast<float>(place->at.x),
-                                        static_cast<float>(place->at.y), static_cast<float>(place->z),
-                                        inRimUnits(place->normal.x), inRimUnits(place->normal.y)});
+            if (!place)
+                continue;
+            const Vec2 at = insideMap(around.grid(), i, j, place->at);
+            walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
+                                    place->isUpright, static_cast<float>(at.x), static_cast<float>(at.y),
+                                    static_cast<float>(place->z), inRimUnits(place->normal.x),
+                                    inRimUnits(place->normal.y)});
         }
     }
     return walls.points.empty() ? nullptr : std::make_shared<const WallTile>(std::move(walls));

@@ -38,8 +38,8 @@ struct WallTile {
 };
 
 /// Computed from the rims of a z-map; where walls are not straight, corners are estimated from the rims on
-/// both sides. No point leaves the border of the map, and none moves by more than about a cell. Value type;
-/// any thread reads copies.
+/// both sides. No point leaves the border of the map where something is left, and none moves by more than
+/// about a cell. Value type; any thread reads copies.
 class WallPoints {
 public:
     WallPoints() = default; ///< none, of any map
