@@ -6,6 +6,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Kernel/global_functions_3.h> // the next header needs it but does not include it
 #include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Side_of_triangle_mesh.h>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -72,6 +73,20 @@ PointDistances distancesToTop(const std::vector<Vec3>& points, const TriangleMes
     for (const auto& place : places)
         distances.vertical = std::max(distances.vertical, verticalDistance(tree, *top, place));
     distances.nearest = pmp::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(places, *top);
+    return distances;
+}
+
+std::vector<SidedDistance> sidedDistances(const std::vector<Vec3>& points, const TriangleMesh& mesh) {
+    const auto surface = toSurfaceMesh(mesh);
+    if (!surface || surface->is_empty())
+        return {};
+    const Tree tree(surface->faces().begin(), surface->faces().end(), *surface);
+    const CGAL::Side_of_triangle_mesh<SurfaceMesh, Kernel> side(*surface);
+    std::vector<SidedDistance> distances;
+    for (const Vec3& point : points) {
+        const Kernel::Point_3 place(point.x, point.y, point.z);
+        distances.push_back({std::sqrt(tree.squared_distance(place)), side(place) == CGAL::ON_BOUNDED_SIDE});
+    }
     return distances;
 }
 

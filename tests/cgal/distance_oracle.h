@@ -19,6 +19,14 @@ struct PointDistances {
 /// does not accept the triangles as a mesh.
 [[nodiscard]] double farthestFrom(const TriangleMesh& mesh, const std::vector<Vec3>& points);
 
+struct SidedDistance {
+    double distance; ///< from the nearest place of the mesh
+    bool isInside;
+};
+/// Of points from a closed mesh, by CGAL's AABB tree and the parity of its rays.
+[[nodiscard]] std::vector<SidedDistance> sidedDistances(const std::vector<Vec3>& points,
+                                                        const TriangleMesh& mesh);
+
 /// The two-sided Hausdorff distance of two meshes, at most `bound` above the true value.
 [[nodiscard]] double symmetricHausdorff(const TriangleMesh& a, const TriangleMesh& b, double bound);
 
