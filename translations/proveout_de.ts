@@ -759,10 +759,6 @@ Vorgabe: 0 mm</translation>
         <translation>Das Netz hat {} Dreiecke; eine STL-Datei fasst höchstens 4294967295.</translation>
     </message>
     <message>
-        <source>The vertex {}, {}, {} is out of the range of STL.</source>
-        <translation>Der Eckpunkt {}, {}, {} liegt außerhalb des Wertebereichs von STL.</translation>
-    </message>
-    <message>
         <source>Cancelled; no file was written.</source>
         <translation>Abgebrochen; es wurde keine Datei geschrieben.</translation>
     </message>
@@ -8581,6 +8577,26 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Use a finer grid, or look at these places in a detail region.</source>
         <translation>Ein feineres Gitter verwenden oder diese Stellen in einem Detailbereich ansehen.</translation>
+    </message>
+    <message>
+        <source>GLB file too large</source>
+        <translation>GLB-Datei zu groß</translation>
+    </message>
+    <message>
+        <source>The mesh of {} triangles needs more than {} bytes, the most that a GLB file holds.</source>
+        <translation>Das Netz mit {} Dreiecken braucht mehr als {} Bytes; mehr fasst eine GLB-Datei nicht.</translation>
+    </message>
+    <message>
+        <source>Export with a larger error allowance, or to another format.</source>
+        <translation>Mit größerem zulässigen Fehler oder in ein anderes Format exportieren.</translation>
+    </message>
+    <message>
+        <source>The vertex {}, {}, {} is out of the range of single precision.</source>
+        <translation>Der Eckpunkt {}, {}, {} liegt außerhalb des Bereichs einfacher Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>GLB (glTF 2.0)</source>
+        <translation>GLB (glTF 2.0)</translation>
     </message>
 </context>
 <context>

@@ -759,10 +759,6 @@ Default: 0 mm</source>
         <translation>메시의 삼각형이 {}개입니다. STL 파일에는 4294967295개까지 담을 수 있습니다.</translation>
     </message>
     <message>
-        <source>The vertex {}, {}, {} is out of the range of STL.</source>
-        <translation>정점 {}, {}, {}이(가) STL의 범위를 벗어납니다.</translation>
-    </message>
-    <message>
         <source>Cancelled; no file was written.</source>
         <translation>취소되었습니다. 파일을 쓰지 않았습니다.</translation>
     </message>
@@ -8581,6 +8577,26 @@ Default: 0 mm</source>
     <message>
         <source>Use a finer grid, or look at these places in a detail region.</source>
         <translation>더 촘촘한 격자를 사용하거나 상세 영역에서 이 위치를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>GLB file too large</source>
+        <translation>GLB 파일이 너무 큼</translation>
+    </message>
+    <message>
+        <source>The mesh of {} triangles needs more than {} bytes, the most that a GLB file holds.</source>
+        <translation>삼각형 {}개의 메시에는 GLB 파일의 최대 크기인 {}바이트보다 많은 공간이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Export with a larger error allowance, or to another format.</source>
+        <translation>허용 오차를 늘리거나 다른 형식으로 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>The vertex {}, {}, {} is out of the range of single precision.</source>
+        <translation>꼭짓점 {}, {}, {}이(가) 단정밀도의 범위를 벗어났습니다.</translation>
+    </message>
+    <message>
+        <source>GLB (glTF 2.0)</source>
+        <translation>GLB (glTF 2.0)</translation>
     </message>
 </context>
 <context>

@@ -117,18 +117,26 @@ inline constexpr FindingRow kStlTooManyTriangles{
     PROVEOUT_TEXT("Core", "Too many triangles"),
     PROVEOUT_TEXT("Core", "The mesh has {} triangles; an STL file holds 4294967295."),
     ""};
+inline constexpr FindingRow kGlbTooLarge{
+    Severity::error,
+    false,
+    "glb-too-large",
+    PROVEOUT_TEXT("Core", "GLB file too large"),
+    PROVEOUT_TEXT("Core",
+                  "The mesh of {} triangles needs more than {} bytes, the most that a GLB file holds."),
+    PROVEOUT_TEXT("Core", "Export with a larger error allowance, or to another format.")};
 inline constexpr FindingRow kStlCoordinate{
     Severity::error,
     false,
     "stl-coordinate",
     PROVEOUT_TEXT("Core", "Coordinate out of range"),
-    PROVEOUT_TEXT("Core", "The vertex {}, {}, {} is out of the range of STL."),
+    PROVEOUT_TEXT("Core", "The vertex {}, {}, {} is out of the range of single precision."),
     ""};
 
 inline constexpr std::array kExportRows{&kExportFormatUnknown,    &kExportRoundedBeyond, &kExportSetApart,
                                         &kExportWallsOnGrid,      &kExportWallsUnknown,  &kExportRibsUnseen,
                                         &kExportRoundingTooLarge, &kExportWallsTooSteep, &kNothingLeft,
                                         &kMeshCoordinate,         &kCancelledWriting,    &kStlTooCoarse,
-                                        &kStlTooManyTriangles,    &kStlCoordinate};
+                                        &kStlTooManyTriangles,    &kGlbTooLarge,         &kStlCoordinate};
 
 } // namespace proveout::export_finding

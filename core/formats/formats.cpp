@@ -16,6 +16,7 @@ constexpr std::array kStlExtensions{".stl"};
 constexpr std::array kObjExtensions{".obj"};
 constexpr std::array kPlyExtensions{".ply"};
 constexpr std::array k3mfExtensions{".3mf"};
+constexpr std::array kGlbExtensions{".glb"};
 constexpr std::array kNpyExtensions{".npy"};
 constexpr std::array kJobExtensions{".proveout"};
 constexpr std::array kStockExtensions{".pvstock"};
@@ -42,6 +43,9 @@ constexpr std::array kFormats{
     FileFormat{"3mf", PROVEOUT_TEXT("Core", "3MF"), k3mfExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
                MeshFormat{nullptr, write3mf, CoordinateType::float64, 1}},
+    FileFormat{"glb", PROVEOUT_TEXT("Core", "GLB (glTF 2.0)"), kGlbExtensions,
+               PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
+               MeshFormat{nullptr, writeGlb, CoordinateType::float32, 18}},
     FileFormat{"npy", PROVEOUT_TEXT("Core", "NumPy array"), kNpyExtensions,
                PROVEOUT_TEXT("Core", "the heights of a z-map, row 0 at the smallest y"),
                HeightsFormat{readNpy, writeNpy}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes mesh files with coordinates in double.
+// Writes mesh files.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,12 @@ struct WrittenFile {
     std::uint64_t bytes = 0;
 };
 
-// For all writers: coordinates are in mm and read back as the same double; vertices and triangles are in the
-// order of the mesh, with shared indices, so that readers need not weld. Files are written atomically and in
-// batches: memory does not grow with the mesh, and a stopped context leaves no file behind (id "cancelled").
-// Any thread. Equal meshes give equal bytes. Errors: an empty mesh (id "nothing-left"), coordinates that are
-// not finite (id "mesh-coordinate"), a file that cannot be written (id "file-unwritable").
+// For all writers but GLB: coordinates are in mm and read back as the same double. For all: vertices and
+// triangles are in the order of the mesh, with shared indices, so that readers need not weld. Files are
+// written atomically and in batches: memory does not grow with the mesh, and a stopped context leaves no file
+// behind (id "cancelled"). Any thread. Equal meshes give equal bytes. Errors: an empty mesh (id
+// "nothing-left"), coordinates that are not finite (id "mesh-coordinate"), a file that cannot be written (id
+// "file-unwritable").
 
 /// Wavefront OBJ: `v` and `f` lines with the shortest decimals that read back as the same numbers.
 [[nodiscard]] Result<WrittenFile> writeObj(const std::filesystem::path& file, const TriangleMesh& mesh,
@@ -32,6 +33,12 @@ struct WrittenFile {
 
 /// 3MF: a ZIP archive with the model as XML, one object, unit millimetre (3MF core specification 1.3).
 [[nodiscard]] Result<WrittenFile> write3mf(const std::filesystem::path& file, const TriangleMesh& mesh,
+                                           const WorkContext& context = {});
+
+/// GLB: glTF 2.0 in one binary file, for browsers and viewers. Program coordinates in mm, in single
+/// precision, below a node that turns Z upwards to Y and scales to metres; facets are shaded flat. Errors,
+/// also: beyond the range of single precision (id "stl-coordinate"), 4 GiB or more (id "glb-too-large").
+[[nodiscard]] Result<WrittenFile> writeGlb(const std::filesystem::path& file, const TriangleMesh& mesh,
                                            const WorkContext& context = {});
 
 } // namespace proveout

@@ -35,20 +35,22 @@ TEST(Formats, TheEndingOfAMeshFileNamesItsFormat) {
     EXPECT_EQ(keyOf("a.b.Obj"), "obj");
     EXPECT_EQ(keyOf("a.ply"), "ply");
     EXPECT_EQ(keyOf("a.3MF"), "3mf");
+    EXPECT_EQ(keyOf("a.glb"), "glb");
     for (const char* other : {"", "a", ".stl", "stl", "a.npy", "a.proveout", "a.stl.gz", "a.stl "})
         EXPECT_EQ(keyOf(other), "none") << other;
     EXPECT_EQ(oneLine(meshFormatOf("a.step").error().front()),
               "a.step: error: The extension of this name is not that of a mesh format; there are .stl .obj "
-              ".ply .3mf. "
+              ".ply .3mf .glb. "
               "[export-format-unknown]");
 }
 
-TEST(Formats, StlAloneRoundsCoordinates) {
+TEST(Formats, StlAndGlbRoundCoordinates) {
     for (const FileFormat& row : fileFormats()) {
         if (row.meshWriter() == nullptr)
             continue;
         const bool rounds = row.meshWriter()->coordinates == CoordinateType::float32;
-        EXPECT_EQ(rounds, std::string(row.key).starts_with("stl")) << row.key;
+        EXPECT_EQ(rounds, std::string(row.key).starts_with("stl") || row.key == std::string("glb"))
+            << row.key;
     }
 }
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/base/atomic_file.h"
@@ -200,6 +202,84 @@ TEST(Ply, HasTheBytesOfTheFormat) {
     const std::string two("\0\0\0\0\0\0\0\x40", 8); // 2.0
     EXPECT_EQ(bytes.substr(header.size() + 24, 8), two) << "x of the second vertex";
     EXPECT_EQ(bytes.substr(header.size() + 96, 13), std::string("\3\0\0\0\0\2\0\0\0\1\0\0\0", 13));
+}
+
+template<class Value>
+Value valueAt(const std::string& bytes, std::size_t at) {
+    Value value;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+TEST(Glb, HasTheChunksOfTheFormat) {
+    const TemporaryFolder folder;
+    const TriangleMesh mesh = randomSoup(3'000, 7);
+    ASSERT_TRUE(writeGlb(folder / "a.glb", mesh));
+    const std::string bytes = readFile(folder / "a.glb").value();
+    EXPECT_EQ(bytes.substr(0, 4), "glTF");
+    EXPECT_EQ(valueAt<std::uint32_t>(bytes, 4), 2U);
+    EXPECT_EQ(valueAt<std::uint32_t>(bytes, 8), bytes.size());
+    const auto textBytes = valueAt<std::uint32_t>(bytes, 12);
+    EXPECT_EQ(textBytes % 4, 0U);
+    EXPECT_EQ(bytes.substr(16, 4), "JSON");
+    const auto document = nlohmann::json::parse(bytes.substr(20, textBytes));
+    const std::size_t binary = 20 + textBytes + 8;
+    EXPECT_EQ(valueAt<std::uint32_t>(bytes, binary - 8), bytes.size() - binary);
+    EXPECT_EQ(bytes.substr(binary - 4, 4), std::string("BIN\0", 4));
+    EXPECT_EQ(document["buffers"][0]["byteLength"], bytes.size() - binary);
+    const auto& primitive = document["meshes"][0]["primitives"][0];
+    const auto& places = document["accessors"][primitive["attributes"]["POSITION"].get<int>()];
+    const auto& indices = document["accessors"][primitive["indices"].get<int>()];
+    ASSERT_EQ(places["count"], mesh.vertices.size());
+    ASSERT_EQ(indices["count"], 3 * mesh.triangles.size());
+    const std::size_t firstIndex =
+        binary + document["bufferViews"][indices["bufferView"].get<int>()]["byteOffset"].get<std::size_t>();
+    Vec3 low(1e30);
+    Vec3 high(-1e30);
+    for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto value = valueAt<float>(bytes, binary + 12 * k + 4 * static_cast<std::size_t>(axis));
+            ASSERT_EQ(value, static_cast<float>(mesh.vertices[k][axis]));
+            low[axis] = std::min(low[axis], static_cast<double>(value));
+            high[axis] = std::max(high[axis], static_cast<double>(value));
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(places["min"][static_cast<std::size_t>(axis)].get<float>(), static_cast<float>(low[axis]));
+        EXPECT_EQ(places["max"][static_cast<std::size_t>(axis)].get<float>(), static_cast<float>(high[axis]));
+    }
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            ASSERT_EQ(valueAt<std::uint32_t>(bytes, firstIndex + 12 * k + 4 * corner),
+                      mesh.triangles[k][corner]);
+}
+
+/// Column by column: X stays, Z goes upwards, and the part is as large in metres.
+TEST(Glb, StandsUprightInMetres) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeGlb(folder / "a.glb", tetrahedron(2)));
+    const std::string bytes = readFile(folder / "a.glb").value();
+    const auto document = nlohmann::json::parse(bytes.substr(20, valueAt<std::uint32_t>(bytes, 12)));
+    const auto matrix = document["nodes"][0]["matrix"].get<std::vector<double>>();
+    const auto placed = [&](const Vec3& point) {
+        Vec3 at(matrix[12], matrix[13], matrix[14]);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            at += point[static_cast<int>(axis)] *
+                  Vec3(matrix[4 * axis], matrix[4 * axis + 1], matrix[4 * axis + 2]);
+        return at;
+    };
+    EXPECT_EQ(placed({1000, 0, 0}), Vec3(1, 0, 0));
+    EXPECT_EQ(placed({0, 1000, 0}), Vec3(0, 0, -1));
+    EXPECT_EQ(placed({0, 0, 1000}), Vec3(0, 1, 0));
+}
+
+TEST(Glb, RefusesWhatSinglePrecisionCannotHold) {
+    const TemporaryFolder folder;
+    TriangleMesh mesh = tetrahedron();
+    mesh.vertices[1].y = 1e39;
+    const auto result = writeGlb(folder / "a.glb", mesh);
+    ASSERT_FALSE(result);
+    EXPECT_STREQ(result.error().front().id, "stl-coordinate");
 }
 
 } // namespace

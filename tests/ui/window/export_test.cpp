@@ -123,6 +123,7 @@ private slots:
         QTest::addRow("obj") << 2 << QByteArray("# Proveout, mm\nv ");
         QTest::addRow("ply") << 3 << QByteArray("ply\nformat binary_little_endian 1.0\n");
         QTest::addRow("3mf") << 4 << QByteArray("PK\3\4");
+        QTest::addRow("glb") << 5 << QByteArray("glTF\2");
     }
 
     void everyFormatIsWritten() {
@@ -130,7 +131,7 @@ private slots:
         QFETCH(QByteArray, begins);
         const FileFormat& format = *meshFormats().at(static_cast<std::size_t>(row));
         QCOMPARE(QTest::currentDataTag(), format.key);
-        QCOMPARE(meshFormats().size(), std::size_t{5}); // add a new format to the table above
+        QCOMPARE(meshFormats().size(), std::size_t{6}); // add a new format to the table above
         QTemporaryDir folder;
         Workstation station(true);
         QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
