@@ -274,7 +274,7 @@ struct SimulationThread::State {
             simulation->refine(rims, context);
         if (queue.endWork())
             giveUp();
-        if (!simulation->canRefine())
+        if (resting || !simulation->canRefine())
             publish();
     }
 
