@@ -28,7 +28,6 @@ struct SideTo {
     std::uint32_t to;
     std::uint32_t facet;
     std::uint32_t side;
-    friend auto operator<=>(const SideTo&, const SideTo&) = default;
 };
 
 /// The sides of a mesh by the smaller index of their vertices.
@@ -49,11 +48,11 @@ public:
         eachSide([&](std::uint32_t from, const SideTo& side) { m_sides[next[from]++] = side; });
     }
 
-    /// Those from a vertex, sorted.
+    /// Those from a vertex, sorted by where they lead, then by facets.
     [[nodiscard]] std::span<const SideTo> from(std::size_t vertex) {
         const std::span<SideTo> sides(m_sides.data() + m_begins[vertex],
                                       m_sides.data() + m_begins[vertex + 1]);
-        std::ranges::sort(sides);
+        std::ranges::stable_sort(sides, {}, &SideTo::to);
         return sides;
     }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "core/cutting/cut/falling_edges.h"
@@ -256,10 +255,12 @@ void UnseenRibs::lower(const CutterMotion& motion) {
 
 std::vector<std::uint16_t> UnseenRibs::edges() const {
     std::vector<std::uint16_t> edges;
-    for (const Suspect& at : m_suspects | std::views::join) {
-        const double length = at.edge.alongY ? m_zmap.grid().hy : m_zmap.grid().hx;
-        if (at.height - at.floor > kLeastHeight * length)
-            edges.push_back(at.edge.index());
+    for (const std::vector<Suspect>& ofSquare : m_suspects) {
+        for (const Suspect& at : ofSquare) {
+            const double length = at.edge.alongY ? m_zmap.grid().hy : m_zmap.grid().hx;
+            if (at.height - at.floor > kLeastHeight * length)
+                edges.push_back(at.edge.index());
+        }
     }
     std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end()); // clang 14 lacks that of ranges
