@@ -141,7 +141,8 @@ private slots:
         int steps = 0;
         do {
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-            QVERIFY2(Panels::focusIsSeen(), QApplication::focusWidget()->metaObject()->className());
+            QTRY_VERIFY2_WITH_TIMEOUT(Panels::focusIsSeen(),
+                                      QApplication::focusWidget()->metaObject()->className(), kPatience);
         } while (++steps < kMost && !panels.station.window.viewport().hasFocus());
         QVERIFY(steps > 3);
     }
