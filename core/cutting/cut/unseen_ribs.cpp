@@ -21,8 +21,8 @@ constexpr double kThinnest = 1e-4;
 /// Of a rib over its floor, as a part of an edge: the least height of a wall.
 constexpr double kLeastHeight = kWallSlope / 2;
 
-/// The points of a tile, with one before it and one after it.
-constexpr std::size_t kWide = Tile::kSize + 2;
+/// The points of a tile, with one before it and two after it: all cells at its points and the next ones.
+constexpr std::size_t kWide = Tile::kSize + 3;
 using Heights = std::array<float, kWide * kWide>;
 using RowMarks = std::array<std::uint8_t, kWide - 1>;
 
@@ -50,7 +50,7 @@ UnseenRibs::UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile)
     : m_zmap(zmap), m_tile(zmap.tileRect(tile)), m_topZ(zmap.stock().topZ()) {
     const Grid& grid = zmap.grid();
     const IndexRect known =
-        intersection({m_tile.i0 - 1, m_tile.j0 - 1, m_tile.i1 + 1, m_tile.j1 + 1}, {0, 0, grid.nx, grid.ny});
+        intersection({m_tile.i0 - 1, m_tile.j0 - 1, m_tile.i1 + 2, m_tile.j1 + 2}, {0, 0, grid.nx, grid.ny});
     Heights read;
     zmap.read(known, read);
     const auto width = static_cast<std::size_t>(known.width());
@@ -77,14 +77,9 @@ void UnseenRibs::addCell(int i, int j, double height) {
         m_floors.emplace_back().height = height;
     }
     Floor& floor = m_floors[*known];
-    const auto set = [](Rows& edges, int x, int y) {
-        if (x >= 0 && y >= 0)
-            edges[static_cast<std::size_t>(y)].set(static_cast<std::size_t>(x));
-    };
-    set(floor.alongX, i, j);
-    set(floor.alongX, i, j + 1);
-    set(floor.alongY, i, j);
-    set(floor.alongY, i + 1, j);
+    for (const auto& [x, y] : {std::pair(i, j), {i + 1, j}, {i, j + 1}, {i + 1, j + 1}})
+        if (x >= 0 && y >= 0 && x < kSide && y < kSide)
+            floor.points[static_cast<std::size_t>(y)].set(static_cast<std::size_t>(x));
 }
 
 std::optional<std::size_t> UnseenRibs::floorAt(double height) const {
@@ -192,22 +187,52 @@ void UnseenRibs::cover(Floor& floor, const FlatPass& pass) const {
 }
 
 bool UnseenRibs::suspects(const StockTop* uncut) {
-    for (const Floor& floor : m_floors) {
-        for (int j = 0; j < Tile::kSize; ++j) {
-            const auto row = static_cast<std::size_t>(j);
-            const Row alongX = floor.alongX[row] & ~floor.coveredX[row];
-            const Row alongY = floor.alongY[row] & ~floor.coveredY[row];
-            if (alongX.none() && alongY.none())
-                continue;
-            for (int i = 0; i < Tile::kSize; ++i) {
-                if (alongX.test(static_cast<std::size_t>(i)))
-                    suspect(floor, {i, j, false}, uncut);
-                if (alongY.test(static_cast<std::size_t>(i)))
-                    suspect(floor, {i, j, true}, uncut);
-            }
-        }
+    for (int j = 0; j < Tile::kSize; ++j) {
+        suspectRow(j, false, uncut);
+        suspectRow(j, true, uncut);
     }
     return m_count > 0;
+}
+
+void UnseenRibs::suspectRow(int j, bool alongY, const StockTop* uncut) {
+    const auto row = static_cast<std::size_t>(j);
+    const auto edgesOf = [&](const Row& points, const Row& next) {
+        return points & (alongY ? next : points >> 1);
+    };
+    Row points; // of any floor
+    Row next;
+    Row level; // edges on one floor
+    Row wanted;
+    for (const Floor& floor : m_floors) {
+        const Row edges = edgesOf(floor.points[row], floor.points[row + 1]);
+        wanted |= edges & ~(alongY ? floor.coveredY : floor.coveredX)[row];
+        level |= edges;
+        points |= floor.points[row];
+        next |= floor.points[row + 1];
+    }
+    wanted |= edgesOf(points, next) & ~level;
+    if (wanted.none())
+        return;
+    for (int i = 0; i < Tile::kSize; ++i) {
+        if (!wanted.test(static_cast<std::size_t>(i)))
+            continue;
+        const Floor* first = floorOf(i, j);
+        const Floor* second = floorOf(i + (alongY ? 0 : 1), j + (alongY ? 1 : 0));
+        if (first == nullptr || second == nullptr)
+            continue;
+        const Floor& higher = first->height < second->height ? *second : *first;
+        if (!(alongY ? higher.coveredY : higher.coveredX)[row].test(static_cast<std::size_t>(i)))
+            suspect(higher, {i, j, alongY}, uncut);
+    }
+}
+
+const UnseenRibs::Floor* UnseenRibs::floorOf(int i, int j) const {
+    const Floor* highest = nullptr;
+    for (const Floor& floor : m_floors)
+        if (floor.points[static_cast<std::size_t>(j)].test(static_cast<std::size_t>(i)) &&
+            (highest == nullptr || floor.height > highest->height))
+            highest = &floor;
+    return highest;
 }
 
 void UnseenRibs::suspect(const Floor& floor, const RimEdge& edge, const StockTop* uncut) {
@@ -216,12 +241,16 @@ void UnseenRibs::suspect(const Floor& floor, const RimEdge& edge, const StockTop
     const double length = glm::distance(from, to);
     const auto square = static_cast<std::size_t>(edge.j / kPoints * kSquares + edge.i / kPoints);
     std::vector<Span> covered;
-    for (const auto& [pass, part] : floor.parts[square]) {
-        if (!floor.passes[pass].areaOf(part).meets(PlanArea{from, to}))
+    for (const Floor& below : m_floors) {
+        if (below.height > floor.height)
             continue;
-        const Span span = floor.passes[pass].spanOn(part, from, edge.alongY);
-        if (span.lo <= span.hi && span.hi >= 0 && span.lo <= length)
-            covered.push_back(span);
+        for (const auto& [pass, part] : below.parts[square]) {
+            if (!below.passes[pass].areaOf(part).meets(PlanArea{from, to}))
+                continue;
+            const Span span = below.passes[pass].spanOn(part, from, edge.alongY);
+            if (span.lo <= span.hi && span.hi >= 0 && span.lo <= length)
+                covered.push_back(span);
+        }
     }
     std::ranges::sort(covered, {}, &Span::lo);
     if (covered.empty() || covered.front().lo > kThinnest ||

@@ -18,12 +18,12 @@
 
 namespace proveout {
 
-/// Finds the edges of a tile on level floors that a rib crosses: flat cutters, or any that went below the
-/// floor of the stock, passed over both ends on level motions, but do not cover the whole edge. Call add()
+/// Finds the edges of a tile between level floors that a rib crosses: flat cutters, or any that went below
+/// the floor of the stock, passed over both ends on level motions, but leave a gap between them. Call add()
 /// for each motion that may reach the tile, then suspects(); if there are some, lower() for each motion
-/// again, and then edges(). Thinner than a ten-thousandth of a millimetre, or lower than an eighth of an
-/// edge, nothing counts as a rib. Refers to the map. Owned by one thread; the result is the same for any
-/// order of the motions.
+/// again, and then edges(). Thinner than a ten-thousandth of a millimetre, or less than an eighth of an edge
+/// above the higher floor, nothing counts as a rib. Refers to the map. Owned by one thread; the result is the
+/// same for any order of the motions.
 class UnseenRibs {
 public:
     UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile);
@@ -52,12 +52,10 @@ private:
     template<class Value>
     using BySquare = std::array<std::vector<Value>, std::size_t{kSquares} * kSquares>;
 
-    /// Its edges, by their first points, and those of them that one pass covers.
     struct Floor {
         double height = 0; ///< relative to the top of the stock, mm
-        Rows alongX = Rows(kSide);
-        Rows alongY = Rows(kSide);
-        Rows coveredX = Rows(kSide);
+        Rows points = Rows(kSide);
+        Rows coveredX = Rows(kSide); ///< the edges that one of its passes covers, by their first points
         Rows coveredY = Rows(kSide);
         std::vector<FlatPass> passes = {};
         BySquare<PartOfPass> parts = {};
@@ -69,9 +67,12 @@ private:
         double height; ///< of what stands there
     };
 
-    /// By its first point, which is one of the tile or the one before it.
+    /// By its first point.
     void addCell(int i, int j, double height);
     [[nodiscard]] std::optional<std::size_t> floorAt(double height) const;
+    /// The highest floor that a point of the tile, or the next one, is on. Null: none.
+    [[nodiscard]] const Floor* floorOf(int i, int j) const;
+    void suspectRow(int j, bool alongY, const StockTop* uncut);
     void cover(Floor& floor, const FlatPass& pass) const;
     void suspect(const Floor& floor, const RimEdge& edge, const StockTop* uncut);
     /// Calls `visit(square)` for the squares whose edges an area may meet.

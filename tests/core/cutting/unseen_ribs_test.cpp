@@ -3,6 +3,7 @@
 #include "core/cutting/cut/unseen_ribs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kFloor = -2;
+constexpr double kDeeper = -3.5;
 const StockBox kStock{{0, 0, 10}, 24, 20, 10};
 
 /// The motions of one cutter in a box, and its map.
@@ -101,10 +103,13 @@ class Oracle {
 public:
     explicit Oracle(const Floors& floors) : m_floors(floors) {}
 
-    /// The part of an edge of a level floor that a rib covers; 0 if its ends are not on such a floor.
+    /// The part of an edge between level floors that a rib covers; 0 if its ends are not on such floors.
     [[nodiscard]] double ribOn(const Edge& edge) const {
-        if (!isOnFloor(edge))
+        const int toI = edge.i + (edge.alongY ? 0 : 1);
+        const int toJ = edge.j + (edge.alongY ? 1 : 0);
+        if (!isOnFloor(edge.i, edge.j) || !isOnFloor(toI, toJ))
             return 0;
+        const double higher = std::max(heightOf(edge.i, edge.j), heightOf(toI, toJ));
         constexpr int kPlaces = 400;
         const Grid& grid = m_floors.map.grid();
         int above = 0;
@@ -112,30 +117,34 @@ public:
             const double part = static_cast<double>(k) / kPlaces;
             const Vec2 place(grid.x(edge.i) + (edge.alongY ? 0 : part * grid.hx),
                              grid.y(edge.j) + (edge.alongY ? part * grid.hy : 0));
-            above += heightAt(place) - kFloor > 0.125 * m_floors.spacing ? 1 : 0;
+            above += heightAt(place) - higher > 0.125 * m_floors.spacing ? 1 : 0;
         }
         return static_cast<double>(above) / kPlaces;
     }
 
 private:
-    /// With a cell beside it that is.
-    [[nodiscard]] bool isOnFloor(const Edge& edge) const {
-        const auto isFlat = [&](int i, int j) {
-            const Grid& grid = m_floors.map.grid();
-            return i >= 0 && j >= 0 && i < grid.nx && j < grid.ny &&
-                   std::abs(static_cast<double>(m_floors.map.height(i, j)) - kFloor) < 1e-4;
+    [[nodiscard]] double heightOf(int i, int j) const {
+        return static_cast<double>(m_floors.map.height(i, j));
+    }
+    /// Whether a cell at the point is level, and cut.
+    [[nodiscard]] bool isOnFloor(int i, int j) const {
+        const Grid& grid = m_floors.map.grid();
+        const auto isCell = [&](int x, int y) {
+            if (x < 0 || y < 0 || x + 1 >= grid.nx || y + 1 >= grid.ny)
+                return false;
+            const std::array<double, 4> at{heightOf(x, y), heightOf(x + 1, y), heightOf(x, y + 1),
+                                           heightOf(x + 1, y + 1)};
+            const auto [low, high] = std::ranges::minmax(at);
+            return high - low < 1e-4 && high < -1e-4;
         };
-        const auto isCell = [&](int i, int j) {
-            return isFlat(i, j) && isFlat(i + 1, j) && isFlat(i, j + 1) && isFlat(i + 1, j + 1);
-        };
-        return isCell(edge.i, edge.j) ||
-               (edge.alongY ? isCell(edge.i - 1, edge.j) : isCell(edge.i, edge.j - 1));
+        return isCell(i, j) || isCell(i - 1, j) || isCell(i, j - 1) || isCell(i - 1, j - 1);
     }
     [[nodiscard]] double heightAt(const Vec2& place) const {
         double height = 0;
         for (const Motion& path : m_floors.paths) {
             if (path.start.z == path.end.z)
-                height = std::min(height, kFloor + m_floors.profile(distanceFrom(path, place)));
+                height = std::min(height,
+                                  path.start.z - kStock.topZ() + m_floors.profile(distanceFrom(path, place)));
             else // rare and few
                 height = std::min(height,
                                   oracleEnvelope(m_floors.cutter, OraclePath(path, 400), place.x, place.y).z -
@@ -231,7 +240,8 @@ TEST(UnseenRibs, OfRandomPassesAreThoseOfTheOracle) {
         Floors floors = round % 3 == 0 ? Floors{cutterOf("bull:d=5,r=0.5"), 2.5, 0.5, {}}
                                        : Floors{cutterOf("flat:d=3.3"), 1.65, 0, {}};
         floors.spacing = uniform(random, 0.3, 1.2);
-        const auto place = [&] { return Vec3(uniform(random, 0, 24), uniform(random, 0, 20), depth()); };
+        const auto depthOf = [&] { return kStock.topZ() + (random() % 3 == 0 ? kDeeper : kFloor); };
+        const auto place = [&] { return Vec3(uniform(random, 0, 24), uniform(random, 0, 20), depthOf()); };
         for (int k = 0; k < 7; ++k) {
             const bool isArc = random() % 3 == 0;
             if (isArc) {
@@ -241,13 +251,15 @@ TEST(UnseenRibs, OfRandomPassesAreThoseOfTheOracle) {
                 continue;
             }
             const Vec3 from = place();
-            const Vec3 to = place();
+            Vec3 to = place();
+            to.z = from.z;
             floors.paths.push_back(straightMotion(from, to));
             // One beside it, with little between them.
             const Vec3 along = glm::normalize(to - from);
             const double width = round % 3 == 0 ? 4 : 3.3;
             const Vec3 beside = Vec3(-along.y, along.x, 0) * (width + uniform(random, -0.2, 0.6));
-            floors.paths.push_back(straightMotion(from + beside, to + beside));
+            const Vec3 other(beside.x, beside.y, depthOf() - from.z);
+            floors.paths.push_back(straightMotion(from + other, to + other));
         }
         floors.cutAll();
         all += compare(floors);
