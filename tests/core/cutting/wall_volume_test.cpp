@@ -97,5 +97,15 @@ TEST(WallVolume, ConvergesWithTheGrid) {
             << spacing;
 }
 
+/// Where they cross, points are above one wall and below another: what is wrong is in the four corners only.
+TEST(WallVolume, OfSlotsOfTwoDepthsThatCross) {
+    const double exact = 6 * (40 * kDepth + 40 * 2 - 6 * 2);
+    for (const double spacing : {1.0, 0.7, 0.1}) {
+        const std::vector<Motion> slots{straightMotion({-10, 20.13, -kDepth}, {50, 20.13, -kDepth}),
+                                        straightMotion({19.68, -10, -2}, {19.68, 50, -2})};
+        EXPECT_NEAR(removed(6, slots, spacing), exact, 6 * spacing * spacing) << spacing;
+    }
+}
+
 } // namespace
 } // namespace proveout
