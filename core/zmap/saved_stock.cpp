@@ -93,21 +93,21 @@ ZMapSnapshot flipped(const ZMapSnapshot& map, StockFlip flip, Undercut& undercut
     const Grid& grid = map.grid();
     const bool aboutX = flip == StockFlip::aboutX;
     const auto newFloor = static_cast<float>(-stock.height);
-    return mapOf(stock, grid,
-                 [&](int i, int j) {
-                     const float before =
-                         map.height(aboutX ? i : grid.nx - 1 - i, aboutX ? grid.ny - 1 - j : j);
-                     if (before <= map.floor())
-                         return newFloor;
-                     const double gap = double{highest} - double{before};
-                     const double weight =
-                         (i == 0 || i == grid.nx - 1 ? 0.5 : 1.0) * (j == 0 || j == grid.ny - 1 ? 0.5 : 1.0);
-                     if (gap > Undercut::kLeast)
-                         undercut.add(gap * weight * grid.hx * grid.hy, gap,
-                                      {grid.x(i), grid.y(j), stock.floorZ() + gap});
-                     return 0.0F;
-                 })
-        .snapshot();
+    ZMapSnapshot result =
+        mapOf(stock, grid, [&](int i, int j) {
+            const float before = map.height(aboutX ? i : grid.nx - 1 - i, aboutX ? grid.ny - 1 - j : j);
+            if (before <= map.floor())
+                return newFloor;
+            const double gap = double{highest} - double{before};
+            const double weight =
+                (i == 0 || i == grid.nx - 1 ? 0.5 : 1.0) * (j == 0 || j == grid.ny - 1 ? 0.5 : 1.0);
+            if (gap > Undercut::kLeast)
+                undercut.add(gap * weight * grid.hx * grid.hy, gap,
+                             {grid.x(i), grid.y(j), stock.floorZ() + gap});
+            return 0.0F;
+        }).snapshot();
+    result.setRims(flippedRims(map, flip, newFloor));
+    return result;
 }
 
 /// The saved points near a point of another grid along one axis; `at` is the position of that point in saved

@@ -104,7 +104,11 @@ private:
     }
     /// It is beside a wall all the same.
     [[nodiscard]] WallPlace stays() const {
-        return {Vec2(0), static_cast<double>(m_around.height(m_i, m_j))};
+        const bool isUpright =
+            m_count > 0 && !m_isOnSlope &&
+            std::all_of(m_seen.begin(), m_seen.begin() + static_cast<std::ptrdiff_t>(m_count),
+                        [](const Seen& seen) { return seen.crossing.isUpright; });
+        return {Vec2(0), static_cast<double>(m_around.height(m_i, m_j)), Vec2(0), isUpright};
     }
 
     /// Whether nothing is left at a point of the border, nor beside it along the border: nothing is drawn

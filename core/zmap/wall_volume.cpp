@@ -49,6 +49,10 @@ public:
         const WallPoint* wall = m_points[placeOf(i, j)];
         if (wall == nullptr || !wall->isUpright || isAlongBorder(*wall, i, j))
             return nullptr;
+        for (int y = j - 1; y <= j + 1; ++y)
+            for (int x = i - 1; x <= i + 1; ++x)
+                if (const WallPoint* near = m_points[placeOf(x, y)]; near != nullptr && staysOnSlope(*near))
+                    return nullptr;
         return wall;
     }
 
@@ -61,6 +65,9 @@ private:
         const bool besideY = j <= 1 || j >= grid.ny - 2;
         return (besideX && 2 * std::abs(wall.normalX) >= std::abs(wall.normalY)) ||
                (besideY && 2 * std::abs(wall.normalY) >= std::abs(wall.normalX));
+    }
+    [[nodiscard]] static bool staysOnSlope(const WallPoint& wall) {
+        return wall.dx == 0 && wall.dy == 0 && !wall.isUpright;
     }
     [[nodiscard]] std::size_t placeOf(int i, int j) const {
         return static_cast<std::size_t>(j - m_tile.j0 + 1) * kSide +

@@ -84,6 +84,22 @@ TEST_F(CliStock, WallsThatTouchTheBorderOfTheMapAreWhereTheyStand) {
     }
 }
 
+/// What is cut through is there on the other side, too.
+TEST_F(CliStock, WallsOfAThroughCutAreWhereTheyStandWhenItIsFlipped) {
+    write("through.nc", "T1 M6\nG0 X8 Y9.37 Z5\nG1 Z-11 F100\nX30 Y12\nG0 Z5\nM30\n");
+    const std::string flat = " --tool 1=flat:d=6 --grid 0.7 ";
+    ASSERT_NE(
+        run("simulate through.nc --stock 40x30x10 --stl one.stl --save-stock one.pvstock" + flat).exitCode,
+        1);
+    const double exact = volumeOf(readStl(folder / "one.stl").value());
+    for (const char* way : {"flip=x", "flip=y", "flip=x,turn=90"}) {
+        const auto two = run(std::string("simulate above.nc --stock file:file=one.pvstock,") + way +
+                             " --stl two.stl" + flat);
+        EXPECT_EQ(two.exitCode, 0) << two.err;
+        EXPECT_NEAR(volumeOf(readStl(folder / "two.stl").value()), exact, 1e-5 * exact) << way;
+    }
+}
+
 /// Where the walls of a mesh are between the points of the map, its facets say.
 TEST_F(CliStock, WallsOfAMeshCountInWhatIsRemoved) {
     ASSERT_EQ(simulate("cylinder:d=30,h=10", "--grid 0.1 --stl c.stl", "above.nc").exitCode, 0);

@@ -85,10 +85,46 @@ TEST_F(TurnedRims, AreAtTheSamePlacesOfThePart) {
     }
 }
 
-TEST_F(TurnedRims, AreNoneAfterAFlipAndOnAnotherGrid) {
+/// The part on the left of a wall through the stock, and on a ledge.
+TEST_F(TurnedRims, AreThoseOfThroughWallsAfterAFlip) {
+    const StockBox stock{{0, 0, 0}, 90, 80, 10};
+    ZMap zmap(stock, makeGrid(stock, 1).value());
+    constexpr int kLast = 69; // of the points on the left; the next tile begins at 64
+    for (std::size_t index = 0; index < zmap.tileCount(); ++index) {
+        const IndexRect rect = zmap.tileRect(index);
+        for (int j = 0; j < rect.height(); ++j)
+            for (int i = 0; i < rect.width(); ++i)
+                zmap.tileForWriting(index).at(i, j) = rect.i0 + i <= kLast ? 0 : zmap.floor();
+    }
+    ZMapSnapshot map = zmap.snapshot();
+    const Rim through{
+        RimEdge{kLast - 64, 3, false}.index(), 20'000, 30'000, RimSides::both, 0, -10, -32'767, 0};
+    Rim ledge = through;
+    ledge.edge = RimEdge{kLast - 64, 4, false}.index();
+    ledge.bottom = -9;
+    RimMap rims(map.tileCount());
+    rims.edit(1) = std::make_shared<RimTile>(RimTile{{through, ledge}});
+    map.setRims(rims);
+    for (const StockFlip flip : {StockFlip::aboutX, StockFlip::aboutY}) {
+        const auto body = savedStock(map, 1, StockTurn::none, flip).value();
+        const RimMap after = body->rims(body->box(), makeGrid(body->box(), 1).value());
+        ASSERT_EQ(countOf(after), 1U);
+        const bool aboutX = flip == StockFlip::aboutX;
+        const std::size_t tile = aboutX ? 3 : 0; // row 77 of 81, or column 20 of 91
+        ASSERT_NE(after[tile], nullptr);
+        const Rim& rim = after[tile]->rims.front();
+        const RimEdge expected = aboutX ? RimEdge{kLast - 64, 77 - 64, false} : RimEdge{20, 3, false};
+        EXPECT_EQ(rim.edge, expected.index());
+        EXPECT_EQ(rim.highPlace, aboutX ? 30'000 : 65'535 - 30'000);
+        EXPECT_EQ(rim.lowPlace, rim.highPlace);
+        EXPECT_EQ(rim.top, 0);
+        EXPECT_EQ(rim.bottom, -10);
+        EXPECT_EQ(rim.normalX, aboutX ? -32'767 : 32'767);
+    }
+}
+
+TEST_F(TurnedRims, AreNoneOnAnotherGrid) {
     const ZMapSnapshot map = randomMap();
-    const auto flipped = savedStock(map, 0.9, StockTurn::none, StockFlip::aboutX).value();
-    EXPECT_TRUE(flipped->rims(flipped->box(), makeGrid(flipped->box(), 0.9).value()).empty());
     const auto body = savedStock(map, 0.9).value();
     EXPECT_TRUE(body->rims(body->box(), makeGrid(body->box(), 0.45).value()).empty());
     StockBox higher = body->box();
