@@ -193,55 +193,96 @@ std::vector<std::uint32_t> measure(const ZMapSnapshot& zmap, CoordinateType coor
     return farther;
 }
 
+/// Closes a surface with its walls; where that is not sound, walls are drawn at the points of the map, and it
+/// is tried again.
+class ClosingWithWalls {
+public:
+    ClosingWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
+                     const DecimationParameters& promised, CoordinateType coordinates,
+                     const WorkContext& context)
+        : m_zmap(zmap), m_surface(std::move(surface)),
+          m_allowance(promised.method == DecimationMethod::none ? 0 : promised.allowance),
+          m_level(errorLevel(promised)), m_coordinates(coordinates), m_context(context) {}
+
+    std::optional<WalledSolid> run() {
+        constexpr int kMostRounds = 14;
+        constexpr int kNearRounds = 6; // after these, the walls farther around are removed as well
+        int cells = 2;
+        for (int round = 0; round < kMostRounds; ++round) {
+            std::optional<WalledSolid> solid = closeOnce();
+            if (m_context.stopped())
+                return solid.value_or(WalledSolid{});
+            if (solid || m_unsound.empty() || !removeNearest(m_zmap, m_unsound, cells))
+                return solid;
+            cells *= round + 1 > kNearRounds ? 2 : 1;
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// Nothing if it is not sound at the points of `m_unsound`, or not possible at all if there are none.
+    std::optional<WalledSolid> closeOnce() {
+        const SolidFrame frame(m_zmap, m_coordinates);
+        FormerTriangles flipped = flipWallCaps(frame, m_surface);
+        std::ranges::move(unfoldLevels(frame, m_surface), std::back_inserter(flipped));
+        m_unsound = pointsOfFolds(frame, m_surface);
+        std::optional<WalledSolid> solid;
+        if (m_unsound.empty())
+            solid = m_allowance > 0 ? closeSimplified(frame) : closeFull(frame);
+        if (solid || m_surface.empty())
+            return solid;
+        for (; !flipped.empty(); flipped.pop_back()) // the last first: some were flipped several times
+            m_surface[flipped.back().first] = flipped.back().second;
+        return std::nullopt;
+    }
+
+    std::optional<WalledSolid> closeSimplified(const SolidFrame& frame) {
+        std::vector<LatticeTriangle> simple = m_surface;
+        simplifyWalls(frame, m_allowance, simple, m_context);
+        m_unsound = unsoundPoints(frame, simple);
+        std::optional<TriangleMesh> mesh =
+            m_unsound.empty() ? rounded(frame, std::move(simple)) : std::nullopt;
+        if (!mesh)
+            return std::nullopt;
+        WalledSolid solid{std::move(*mesh), {}};
+        m_unsound = measure(m_zmap, m_coordinates, {m_allowance, m_level}, m_context, solid);
+        return m_unsound.empty() ? std::optional(std::move(solid)) : std::nullopt;
+    }
+
+    /// Of all points, which may not fit into memory twice: there is one try.
+    std::optional<WalledSolid> closeFull(const SolidFrame& frame) {
+        m_unsound = unsoundPoints(frame, m_surface);
+        if (!m_unsound.empty())
+            return std::nullopt;
+        std::optional<TriangleMesh> mesh = rounded(frame, std::exchange(m_surface, {}));
+        m_unsound.clear();
+        return mesh ? std::optional(WalledSolid{std::move(*mesh), {}}) : std::nullopt;
+    }
+
+    std::optional<TriangleMesh> rounded(const SolidFrame& frame, std::vector<LatticeTriangle> surface) {
+        std::optional<TriangleMesh> mesh = closedWithWalls(frame, std::move(surface), m_unsound, m_context);
+        if (!mesh || m_context.stopped())
+            return mesh;
+        roundWalls(frame, std::max(2 * kWallShare * m_allowance, kRoundness), *mesh);
+        m_unsound = pointsOfUnsound(frame, *mesh);
+        return m_unsound.empty() ? std::move(mesh) : std::nullopt;
+    }
+
+    ZMapSnapshot& m_zmap;
+    std::vector<LatticeTriangle> m_surface;
+    double m_allowance;
+    ErrorLevel m_level;
+    CoordinateType m_coordinates;
+    const WorkContext& m_context;
+    std::vector<std::uint32_t> m_unsound; ///< points of the map, of the last try
+};
+
 } // namespace
 
 std::optional<WalledSolid> closeWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                           const DecimationParameters& promised, CoordinateType coordinates,
                                           const WorkContext& context) {
-    const double allowance = promised.method == DecimationMethod::none ? 0 : promised.allowance;
-    const ErrorBound bound{allowance, errorLevel(promised)};
-    constexpr int kMostRounds = 14;
-    constexpr int kNearRounds = 6; // after these, the walls farther around are removed as well
-    int cells = 2;
-    for (int round = 0; round<kMostRounds; ++round, cells *= round> kNearRounds ? 2 : 1) {
-        const SolidFrame frame(zmap, coordinates);
-        FormerTriangles flipped = flipWallCaps(frame, surface);
-        std::ranges::move(unfoldLevels(frame, surface), std::back_inserter(flipped));
-        std::vector<std::uint32_t> unsound = pointsOfFolds(frame, surface);
-        std::vector<LatticeTriangle> simple;
-        if (unsound.empty() && allowance > 0) { // a full mesh may not fit into memory twice
-            simple = surface;
-            simplifyWalls(frame, allowance, simple, context);
-        }
-        if (unsound.empty())
-            unsound = unsoundPoints(frame, allowance > 0 ? simple : surface);
-        if (unsound.empty() || context.stopped()) {
-            std::optional<TriangleMesh> mesh =
-                closedWithWalls(frame, std::move(allowance > 0 ? simple : surface), unsound, context);
-            if (context.stopped())
-                return WalledSolid{mesh.value_or(TriangleMesh{}), {}};
-            if (mesh)
-                roundWalls(frame, std::max(2 * kWallShare * allowance, kRoundness), *mesh);
-            if (!mesh && unsound.empty())
-                return std::nullopt;
-            if (unsound.empty())
-                unsound = pointsOfUnsound(frame, *mesh);
-            if (!unsound.empty() && allowance == 0)
-                return std::nullopt;
-            if (unsound.empty()) {
-                WalledSolid solid{std::move(*mesh), {}};
-                if (allowance > 0)
-                    unsound = measure(zmap, coordinates, bound, context, solid);
-                if (unsound.empty() || context.stopped())
-                    return solid;
-            }
-        }
-        for (; !flipped.empty(); flipped.pop_back()) // the last first: some were flipped several times
-            surface[flipped.back().first] = flipped.back().second;
-        if (!removeNearest(zmap, unsound, cells))
-            return std::nullopt;
-    }
-    return std::nullopt;
+    return ClosingWithWalls(zmap, std::move(surface), promised, coordinates, context).run();
 }
 
 TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,

@@ -69,6 +69,22 @@ void whenOpen(const std::function<void(Dialog&)>& work) {
     wait->start(20);
 }
 
+/// Cancels the next run to the end before a frame of it can arrive: stock that was cut before is kept, so
+/// that the run may end at once.
+class CancelledRun final : public QObject {
+public:
+    CancelledRun() { qApp->installEventFilter(this); }
+
+    [[nodiscard]] bool eventFilter(QObject* watched, QEvent* event) override {
+        if (auto* dialog = qobject_cast<RunToEnd*>(watched);
+            dialog != nullptr && event->type() == QEvent::Show)
+            QTimer::singleShot(0, dialog, [dialog] {
+                dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
+            });
+        return false;
+    }
+};
+
 void press(QMessageBox& question, const QString& name) {
     for (QAbstractButton* each : question.buttons())
         if (each->text().remove(u'&') == name)
@@ -261,12 +277,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->zmap.grid().nx > 1000, kPatience);
         session.playback().seek(0);
         QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{0}, kPatience);
-        whenOpen<QMessageBox>([&](QMessageBox& question) {
-            press(question, QStringLiteral("Run to the End First"));
-            whenOpen<RunToEnd>([](RunToEnd& dialog) {
-                dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
-            });
-        });
+        whenOpen<QMessageBox>(
+            [&](QMessageBox& question) { press(question, QStringLiteral("Run to the End First")); });
+        const CancelledRun cancelled;
         QSignalSpy exported(&session.exports(), &ExportHub::exported);
         station.window.action(QStringLiteral("export-mesh"))->trigger();
         QVERIFY(isHalfRun(session));
