@@ -175,19 +175,20 @@ bool removeNearest(ZMapSnapshot& zmap, const std::vector<std::uint32_t>& points,
     return removed;
 }
 
-/// The points that are farther than allowed; if there are none, the solid gets its error. Triangles that meet
-/// walls are looked at first: the others are as they were decimated.
-std::vector<std::uint32_t> measure(const ZMapSnapshot& zmap, CoordinateType coordinates,
-                                   const ErrorBound& bound, const WorkContext& context, WalledSolid& solid) {
+/// The points that are farther than allowed; if there are none, the solid gets its error. Triangles at the
+/// walls that the map had before are looked at first: the others are as they were decimated.
+std::vector<std::uint32_t> measure(const ZMapSnapshot& zmap, const ZMapSnapshot& before,
+                                   CoordinateType coordinates, const ErrorBound& bound,
+                                   const WorkContext& context, WalledSolid& solid) {
     std::vector<std::uint32_t> farther =
-        pointsFarther(zmap, solid.mesh, coordinates, bound, MeasuredPart::atWalls, context.stop);
+        pointsFarther(zmap, solid.mesh, coordinates, bound, &before, context.stop);
     if (!farther.empty())
         return farther;
     const double error = measureSolidError(zmap, solid.mesh, coordinates, bound.level, context.quiet());
     if (context.stopped())
         return {};
     if (error > bound.distance)
-        farther = pointsFarther(zmap, solid.mesh, coordinates, bound, MeasuredPart::all, context.stop);
+        farther = pointsFarther(zmap, solid.mesh, coordinates, bound, nullptr, context.stop);
     if (farther.empty())
         solid.largestErrorMm = error;
     return farther;
@@ -200,7 +201,7 @@ public:
     ClosingWithWalls(ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                      const DecimationParameters& promised, CoordinateType coordinates,
                      const WorkContext& context)
-        : m_zmap(zmap), m_surface(std::move(surface)),
+        : m_zmap(zmap), m_before(zmap), m_surface(std::move(surface)),
           m_allowance(promised.method == DecimationMethod::none ? 0 : promised.allowance),
           m_level(errorLevel(promised)), m_coordinates(coordinates), m_context(context) {}
 
@@ -245,7 +246,7 @@ private:
         if (!mesh)
             return std::nullopt;
         WalledSolid solid{std::move(*mesh), {}};
-        m_unsound = measure(m_zmap, m_coordinates, {m_allowance, m_level}, m_context, solid);
+        m_unsound = measure(m_zmap, m_before, m_coordinates, {m_allowance, m_level}, m_context, solid);
         return m_unsound.empty() ? std::optional(std::move(solid)) : std::nullopt;
     }
 
@@ -269,6 +270,7 @@ private:
     }
 
     ZMapSnapshot& m_zmap;
+    ZMapSnapshot m_before; ///< with all walls
     std::vector<LatticeTriangle> m_surface;
     double m_allowance;
     ErrorLevel m_level;

@@ -187,10 +187,11 @@ public:
         return std::ranges::any_of(at,
                                    [&](const Vec3& corner) { return m_wallCells.contain(inCells(corner)); });
     }
-    /// The same, of one that faces upwards.
-    [[nodiscard]] bool meetsWall(std::size_t triangle) const {
+    /// Whether a triangle that faces upwards has a corner in some cells.
+    [[nodiscard]] bool meets(const WallCells& cells, std::size_t triangle) const {
         const auto at = cornersOf(triangle);
-        return at && meetsWall(*at);
+        return at &&
+               std::ranges::any_of(*at, [&](const Vec3& corner) { return cells.contain(inCells(corner)); });
     }
     /// Whether it is one of a wall that is steep, but not upright.
     [[nodiscard]] bool isOfWall(const Corners& at) const {
@@ -307,12 +308,11 @@ void eachDistance(const SolidTop& top, const RowBands& bands, std::size_t band, 
                 visit(i, j, top.aboveFloor(i, j));
 }
 
-/// Adds the ends of the edges of a triangle that meets walls which are farther than a distance somewhere away
-/// from walls.
+/// Adds the ends of the edges of a triangle which are farther than a distance somewhere away from walls.
 void addEndsOfEdges(const SolidTop& top, std::size_t triangle, double distance,
                     std::vector<std::uint32_t>& points) {
     const auto at = top.cornersOf(triangle);
-    if (!at || !top.meetsWall(*at) || top.isOfWall(*at))
+    if (!at || top.isOfWall(*at))
         return;
     for (std::size_t k = 0; k < at->size(); ++k) {
         if (top.alongEdge(*at, k) > distance) {
@@ -368,11 +368,16 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
 }
 
 std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const TriangleMesh& solid,
-                                         CoordinateType type, const ErrorBound& bound, MeasuredPart part,
-                                         const std::stop_token& stop) {
+                                         CoordinateType type, const ErrorBound& bound,
+                                         const ZMapSnapshot* atWallsOf, const std::stop_token& stop) {
     const SolidTop top(zmap, solid, type);
-    const RowBands bands(top.rows(), solid.triangles.size(), [&](std::size_t t) {
-        return part == MeasuredPart::all || top.meetsWall(t) ? top.rowsOf(t) : RowBands::Rows{1, 0};
+    const WallCells cells(atWallsOf != nullptr ? *atWallsOf : zmap);
+    const auto isLookedAt = [&](std::size_t triangle) {
+        return atWallsOf == nullptr || top.meets(cells, triangle);
+    };
+    const std::size_t triangles = solid.triangles.size();
+    const RowBands bands(top.rows(), triangles, [&](std::size_t t) {
+        return isLookedAt(t) ? top.rowsOf(t) : RowBands::Rows{1, 0};
     });
     std::vector<std::vector<std::uint32_t>> ofBands(bands.count());
     inParallel(bands.count(), [&](std::size_t band) {
@@ -380,7 +385,7 @@ std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const Triangl
             if (isAway > bound.distance && !top.isBesideWall(i, j))
                 ofBands[band].push_back(static_cast<std::uint32_t>(j * top.columns() + i));
         };
-        if (part == MeasuredPart::all)
+        if (atWallsOf == nullptr)
             eachDistance(top, bands, band, stop, look);
         else
             eachDistanceUnder(top, bands, band, stop, look);
@@ -388,12 +393,11 @@ std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const Triangl
     std::vector<std::uint32_t> points = joined(ofBands);
     if (bound.level != ErrorLevel::surface)
         return points;
-    const std::size_t triangles = solid.triangles.size();
     std::vector<std::vector<std::uint32_t>> ofParts(triangles / kTrianglesOfTask + 1);
     inParallel(ofParts.size(), [&](std::size_t k) {
         const std::size_t first = k * kTrianglesOfTask;
         for (std::size_t t = first; t < std::min(first + kTrianglesOfTask, triangles); ++t)
-            if (!stop.stop_requested())
+            if (!stop.stop_requested() && isLookedAt(t))
                 addEndsOfEdges(top, t, bound.distance, ofParts[k]);
     });
     const std::vector<std::uint32_t> ends = joined(ofParts);

@@ -37,14 +37,12 @@ struct ErrorBound {
     ErrorLevel level;
 };
 
-/// Which triangles are looked at.
-enum class MeasuredPart : std::uint8_t { all, atWalls };
-
 /// The points of the map that are farther from the top of a solid, by their places row by row, some of them
-/// several times; at the surface level, also the ends of edges from walls that are farther somewhere.
-/// `atWalls`: those under triangles that meet walls.
+/// several times; at the surface level, also the ends of edges that are farther somewhere. `atWallsOf`: only
+/// those of triangles that meet walls of this map, which may have more of them; null: of all triangles.
 [[nodiscard]] std::vector<std::uint32_t> pointsFarther(const ZMapSnapshot& zmap, const TriangleMesh& solid,
                                                        CoordinateType type, const ErrorBound& bound,
-                                                       MeasuredPart part, const std::stop_token& stop = {});
+                                                       const ZMapSnapshot* atWallsOf,
+                                                       const std::stop_token& stop = {});
 
 } // namespace proveout
