@@ -8571,7 +8571,7 @@ Vorgabe: 0 mm</translation>
         <translation>Stege zwischen Gitterpunkten</translation>
     </message>
     <message>
-        <source>The file lacks ribs that are thinner than the spacing of the grid: they stand between its points in {} places, the first at X{} Y{}.</source>
+        <source>Ribs thinner than the grid spacing are missing from the file: {} places between grid points, the first at X{} Y{}.</source>
         <translation>In der Datei fehlen Stege, die dünner sind als die Rasterweite: Sie stehen an {} Stellen zwischen den Gitterpunkten, zuerst bei X{} Y{}.</translation>
     </message>
     <message>

@@ -8571,7 +8571,7 @@ Default: 0 mm</source>
         <translation>격자점 사이의 리브</translation>
     </message>
     <message>
-        <source>The file lacks ribs that are thinner than the spacing of the grid: they stand between its points in {} places, the first at X{} Y{}.</source>
+        <source>Ribs thinner than the grid spacing are missing from the file: {} places between grid points, the first at X{} Y{}.</source>
         <translation>격자 간격보다 얇은 리브는 파일에 없습니다. {}곳에서 격자점 사이에 있으며 첫 위치는 X{} Y{}입니다.</translation>
     </message>
     <message>

@@ -55,9 +55,8 @@ inline constexpr FindingRow kExportRibsUnseen{
     false,
     "export-ribs-unseen",
     PROVEOUT_TEXT("Core", "Ribs between grid points"),
-    PROVEOUT_TEXT("Core",
-                  "The file lacks ribs that are thinner than the spacing of the grid: they stand between "
-                  "its points in {} places, the first at X{} Y{}."),
+    PROVEOUT_TEXT("Core", "Ribs thinner than the grid spacing are missing from the file: {} places between "
+                          "grid points, the first at X{} Y{}."),
     PROVEOUT_TEXT("Core", "Use a finer grid, or look at these places in a detail region.")};
 inline constexpr FindingRow kExportRoundingTooLarge{
     Severity::error,

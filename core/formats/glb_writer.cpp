@@ -2,13 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
-#include "core/base/figures_argument.h"
 #include "core/formats/export_findings.h"
 #include "core/formats/mesh_files.h"
 #include "core/formats/mesh_writing.h"
@@ -113,14 +111,7 @@ Result<void> check(const std::filesystem::path& file, const TriangleMesh& mesh, 
     if (bytes > kMost)
         return failure(export_finding::kGlbTooLarge,
                        {std::to_string(mesh.triangles.size()), std::to_string(kMost)}, file.string());
-    for (const Vec3& vertex : mesh.vertices) {
-        const double largest = std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
-        if (!(largest <= static_cast<double>(std::numeric_limits<float>::max())))
-            return failure(export_finding::kStlCoordinate,
-                           {figures("{}", vertex.x), figures("{}", vertex.y), figures("{}", vertex.z)},
-                           file.string());
-    }
-    return {};
+    return checkSinglePrecision(file, mesh);
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/mesh_writing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "core/base/figures_argument.h"
 #include "core/formats/export_findings.h"
@@ -21,6 +23,18 @@ Result<void> checkFinite(const std::filesystem::path& file, const TriangleMesh& 
             return failure(export_finding::kMeshCoordinate,
                            {figures("{}", vertex.x), figures("{}", vertex.y), figures("{}", vertex.z)},
                            file.string());
+    return {};
+}
+
+Result<void> checkSinglePrecision(const std::filesystem::path& file, const TriangleMesh& mesh) {
+    for (const Vec3& vertex : mesh.vertices) {
+        const double largest = std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
+        if (!(largest <= static_cast<double>(std::numeric_limits<float>::max())) ||
+            glm::any(glm::isnan(vertex)))
+            return failure(export_finding::kStlCoordinate,
+                           {figures("{}", vertex.x), figures("{}", vertex.y), figures("{}", vertex.z)},
+                           file.string());
+    }
     return {};
 }
 

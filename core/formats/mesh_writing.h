@@ -22,6 +22,8 @@ namespace proveout {
 /// Refuse meshes that no mesh file can hold: an empty mesh; coordinates that are not finite.
 [[nodiscard]] Result<void> checkNotEmpty(const std::filesystem::path& file, const TriangleMesh& mesh);
 [[nodiscard]] Result<void> checkFinite(const std::filesystem::path& file, const TriangleMesh& mesh);
+/// Refuses coordinates that single precision cannot hold, and those that are not finite.
+[[nodiscard]] Result<void> checkSinglePrecision(const std::filesystem::path& file, const TriangleMesh& mesh);
 
 /// Appends the shortest decimal that reads back as the same number, with a decimal point in every locale.
 template<class Number>

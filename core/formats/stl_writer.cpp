@@ -166,15 +166,7 @@ Result<void> checkStl(const std::filesystem::path& file, const TriangleMesh& mes
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
         return failure(export_finding::kStlTooManyTriangles, {std::to_string(mesh.triangles.size())},
                        file.string());
-    for (const Vec3& vertex : mesh.vertices) {
-        const double largest = std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
-        if (!(largest <= static_cast<double>(std::numeric_limits<float>::max())) ||
-            glm::any(glm::isnan(vertex)))
-            return failure(export_finding::kStlCoordinate,
-                           {figures("{}", vertex.x), figures("{}", vertex.y), figures("{}", vertex.z)},
-                           file.string());
-    }
-    return {};
+    return checkSinglePrecision(file, mesh);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "core/formats/stl.h"
 #include "core/formats/stock_shapes.h"
 #include "tests/app/command_line.h"
+#include "tests/core/decimation/closed_mesh.h"
 
 namespace proveout {
 namespace {
@@ -50,13 +51,6 @@ TEST_F(CliStock, ACylinderIsCutAndExported) {
     EXPECT_NEAR(volume, std::numbers::pi * 225 * 10, 0.005 * std::numbers::pi * 225 * 10);
 }
 
-double volumeOf(const TriangleMesh& solid) {
-    double volume = 0;
-    for (const auto& [a, b, c] : solid.triangles)
-        volume += glm::dot(solid.vertices[a], glm::cross(solid.vertices[b], solid.vertices[c])) / 6;
-    return volume;
-}
-
 /// Where nothing is left at the border of the map, its walls are where they stand too.
 TEST_F(CliStock, WallsThatTouchTheBorderOfTheMapAreWhereTheyStand) {
     std::string rectangle;
@@ -79,7 +73,7 @@ TEST_F(CliStock, WallsThatTouchTheBorderOfTheMapAreWhereTheyStand) {
             ASSERT_EQ(done.exitCode, 0) << done.err;
             EXPECT_EQ(done.err.find("export-walls-on-grid"), std::string::npos) << stock << grid;
             const TriangleMesh solid = readStl(folder / "s.stl").value();
-            EXPECT_NEAR(volumeOf(solid), exact, share * exact) << stock << grid;
+            EXPECT_NEAR(test::signedVolume(solid), exact, share * exact) << stock << grid;
         }
     }
 }
@@ -91,12 +85,12 @@ TEST_F(CliStock, WallsOfAThroughCutAreWhereTheyStandWhenItIsFlipped) {
     ASSERT_NE(
         run("simulate through.nc --stock 40x30x10 --stl one.stl --save-stock one.pvstock" + flat).exitCode,
         1);
-    const double exact = volumeOf(readStl(folder / "one.stl").value());
+    const double exact = test::signedVolume(readStl(folder / "one.stl").value());
     for (const char* way : {"flip=x", "flip=y", "flip=x,turn=90"}) {
         const auto two = run(std::string("simulate above.nc --stock file:file=one.pvstock,") + way +
                              " --stl two.stl" + flat);
         EXPECT_EQ(two.exitCode, 0) << two.err;
-        EXPECT_NEAR(volumeOf(readStl(folder / "two.stl").value()), exact, 1e-5 * exact) << way;
+        EXPECT_NEAR(test::signedVolume(readStl(folder / "two.stl").value()), exact, 1e-5 * exact) << way;
     }
 }
 

@@ -127,13 +127,6 @@ TEST(WallSurface, WallsThatTheGridDoesNotResolveLeaveOthersWhereTheyStand) {
     EXPECT_GT(ofPocket, 60U);
 }
 
-double volumeOf(const TriangleMesh& solid) {
-    double volume = 0;
-    for (const auto& [a, b, c] : solid.triangles)
-        volume += glm::dot(solid.vertices[a], glm::cross(solid.vertices[b], solid.vertices[c])) / 6;
-    return volume;
-}
-
 /// Openings and parts that are cut out, some of them across the border of the stock.
 TEST(WallSurface, PartsThatAreCutThroughHaveTheirWalls) {
     for (const WalledRegion& region : walledRegions()) {
@@ -153,7 +146,7 @@ TEST(WallSurface, PartsThatAreCutThroughHaveTheirWalls) {
             if (region.area > 0) {
                 const double left =
                     region.floorInside ? kWalledSize * kWalledSize - region.area : region.area;
-                EXPECT_NEAR(volumeOf(solid->mesh) / -static_cast<double>(kWalledDepth), left,
+                EXPECT_NEAR(signedVolume(solid->mesh) / -static_cast<double>(kWalledDepth), left,
                             region.areaAllowed * spacing * spacing +
                                 0.02 * parameters.allowance * region.area);
             }

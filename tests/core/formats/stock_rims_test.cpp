@@ -17,17 +17,14 @@
 #include "core/formats/npy_header.h"
 #include "core/formats/stock_file.h"
 #include "tests/core/random_rims.h"
+#include "tests/core/random_test.h"
 #include "tests/core/temporary_folder.h"
-#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
 
-class StockRims : public testing::Test {
+class StockRims : public RandomTest {
 protected:
-    const std::uint32_t seed = randomSeed();
-    std::mt19937 random{seed};
-    const testing::ScopedTrace trace{__FILE__, __LINE__, testing::Message() << "seed " << seed};
     TemporaryFolder folder;
     std::filesystem::path file = folder.path() / "a.pvstock";
 

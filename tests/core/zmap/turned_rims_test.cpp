@@ -8,17 +8,13 @@
 #include "core/zmap/map_top.h"
 #include "core/zmap/saved_stock.h"
 #include "tests/core/random_rims.h"
-#include "tests/random_seed.h"
+#include "tests/core/random_test.h"
 
 namespace proveout {
 namespace {
 
-class TurnedRims : public testing::Test {
+class TurnedRims : public RandomTest {
 protected:
-    const std::uint32_t seed = randomSeed();
-    std::mt19937 random{seed};
-    const testing::ScopedTrace trace{__FILE__, __LINE__, testing::Message() << "seed " << seed};
-
     /// 3 × 2 tiles with random heights and rims.
     ZMapSnapshot randomMap() {
         const StockBox stock{{-5, 7, 12}, 150.5, 91.1, 20};
