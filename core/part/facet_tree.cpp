@@ -54,6 +54,26 @@ double distance2(const std::array<float, 6>& box, const Vec3& point) {
     return sum;
 }
 
+bool hasAbove(const std::array<float, 6>& box, const Vec3& point) {
+    return double{box[0]} <= point.x && point.x <= double{box[3]} && double{box[1]} <= point.y &&
+           point.y <= double{box[4]} && point.z <= double{box[5]};
+}
+
+/// Whether a facet that is not upright is above a point.
+bool isAbove(const std::array<Vec3, 3>& corners, const Vec3& point) {
+    std::array<double, 3> areas{}; // of the point with each side, over ground
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec2 from = Vec2(corners[k]) - Vec2(point);
+        const Vec2 to = Vec2(corners[(k + 1) % 3]) - Vec2(point);
+        areas[(k + 2) % 3] = from.x * to.y - from.y * to.x;
+    }
+    const auto [least, most] = std::ranges::minmax(areas);
+    const double sum = areas[0] + areas[1] + areas[2];
+    if (sum == 0 || (least < 0 && most > 0))
+        return false;
+    return (areas[0] * corners[0].z + areas[1] * corners[1].z + areas[2] * corners[2].z) / sum > point.z;
+}
+
 } // namespace
 
 FacetTree::FacetTree(std::span<const Vec3> vertices, std::span<const Facet> facets) {
@@ -184,6 +204,29 @@ std::optional<FacetTree::Nearest> FacetTree::nearest(const Vec3& place, double w
     if (best)
         best->at.place += m_origin;
     return best;
+}
+
+bool FacetTree::isBelow(const Vec3& place) const {
+    if (m_nodes.empty())
+        return false;
+    const Vec3 point = place - m_origin;
+    std::array<std::uint32_t, kDeepest> waiting;
+    std::size_t count = 0;
+    waiting[count++] = 0;
+    while (count > 0) {
+        const Node& node = m_nodes[waiting[--count]];
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (!hasAbove(node.boxes[k], point))
+                continue;
+            if (node.counts[k] == 0)
+                waiting[count++] = node.children[k];
+            else if (std::any_of(m_facets.begin() + node.children[k],
+                                 m_facets.begin() + node.children[k] + node.counts[k],
+                                 [&](const SortedFacet& facet) { return isAbove(facet.corners, point); }))
+                return true;
+        }
+    }
+    return false;
 }
 
 } // namespace proveout

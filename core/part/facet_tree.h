@@ -36,6 +36,8 @@ public:
     /// Nothing if there is none. A close bound, as from a point nearby, saves time.
     [[nodiscard]] std::optional<Nearest>
     nearest(const Vec3& point, double within = std::numeric_limits<double>::infinity()) const;
+    /// Whether a facet is somewhere above a point, in the vertical line through it.
+    [[nodiscard]] bool isBelow(const Vec3& point) const;
 
 private:
     static constexpr std::size_t kFacetsOfLeaf = 4;

@@ -88,7 +88,7 @@ void PartDistance::addSides(std::span<const Facet> facets) {
             SideNormal normal;
             for (auto side = first; side != last; ++side)
                 normal.normal += m_normals[side->facet];
-            normal.isOpen = last - first < 2;
+            normal.isOpen = last - first != 2;
             for (; first != last; ++first)
                 m_sides[first->facet][first->side] = normal;
             if (normal.isOpen) {
@@ -122,8 +122,8 @@ PartDistance::Place PartDistance::placeOf(const Vec3& point, const FacetTree::Ne
             !isOpen && (ahead != 0 || distance == 0)};
 }
 
-std::optional<PartDistance::Place> PartDistance::at(const Vec3& point) const {
-    const auto nearest = m_tree.nearest(point);
+std::optional<PartDistance::Place> PartDistance::at(const Vec3& point, double within) const {
+    const auto nearest = m_tree.nearest(point, within);
     return nearest ? std::optional(placeOf(point, *nearest)) : std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,16 +27,19 @@ public:
         double distance; ///< mm
         Vec3 nearest;    ///< on the surface
         std::uint32_t facet;
-        /// Whether the side is known: false at the open edge of a mesh, and where facets turn back on
-        /// themselves.
+        /// Whether the side is known: false at the open edge of a mesh, where more than two facets meet in an
+        /// edge, and where facets turn back on themselves.
         bool hasSide;
     };
 
     /// As FacetTree. Facets without an area count as sides of their neighbours.
     PartDistance(std::span<const Vec3> vertices, std::span<const Facet> facets);
 
-    /// Nothing if the mesh has no facets.
-    [[nodiscard]] std::optional<Place> at(const Vec3& point) const;
+    /// Nothing if the mesh has no facet within a distance, mm.
+    [[nodiscard]] std::optional<Place> at(const Vec3& point,
+                                          double within = std::numeric_limits<double>::infinity()) const;
+    /// Whether the surface is somewhere above a point, in the vertical line through it.
+    [[nodiscard]] bool isBelow(const Vec3& point) const { return m_tree.isBelow(point); }
     /// The places of many points, in parallel; fast where each is near the one before it. A stopped context
     /// leaves some of them out.
     [[nodiscard]] std::vector<std::optional<Place>> at(std::span<const Vec3> points,
@@ -44,7 +48,7 @@ public:
 private:
     struct SideNormal {
         Vec3 normal{0};
-        bool isOpen = true; ///< only one facet has this side
+        bool isOpen = true; ///< not two facets have this side
     };
 
     void addSides(std::span<const Facet> facets);

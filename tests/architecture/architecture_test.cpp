@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
     {"core/zmap", {"core/base"}},
     {"core/cutting", {"core/base", "core/nc/program/motion.h", "core/cutter", "core/zmap"}},
     {"core/decimation", {"core/base", "core/zmap"}},
-    {"core/part", {"core/base"}},
+    {"core/part", {"core/base", "core/zmap"}},
     {"core/simulation",
      {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation"}},
     {"core/study",

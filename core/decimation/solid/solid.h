@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "core/base/geometry.h"
+#include "core/base/triangle_mesh.h"
 #include "core/base/work_context.h"
 #include "core/decimation/regions/parameters.h"
 #include "core/decimation/regions/region_mesh.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
-
-/// An indexed triangle mesh in program coordinates, mm; triangles counter-clockwise seen from outside.
-struct TriangleMesh {
-    std::vector<Vec3> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-/// The number format of a coordinate in a file.
-enum class CoordinateType : std::uint8_t { float32, float64 };
 
 /// Vertices and edges where two sheets of the solid would touch are separated by this much, mm.
 inline constexpr double kPinchGap = 1e-4;
