@@ -17,6 +17,7 @@
 #include "app/cli/check_results.h"
 #include "app/cli/command.h"
 #include "app/cli/outputs.h"
+#include "app/cli/part_json.h"
 #include "app/cli/report.h"
 #include "app/cli/thread_limit.h"
 #include "core/base/atomic_file.h"
@@ -151,6 +152,8 @@ private:
                 fmt::print("  first contact of T{}: line {}, from X{:.3f} Y{:.3f} Z{:.3f}\n",
                            contact.value("tool", 0), contact.value("line", 0), contact.value("x", 0.0),
                            contact.value("y", 0.0), contact.value("z", 0.0));
+        if (const auto part = checked.find("part"); part != checked.end())
+            printPart(*part);
         for (const nlohmann::ordered_json& entry : checked["notChecked"])
             if (!entry.value("accepted", false))
                 fmt::print("  not checked: {} [{}]\n", entry.value("title", std::string()),
@@ -175,6 +178,7 @@ void addCheckCommand(CLI::App& app, ExitCode& exitCode) {
         ->required()
         ->type_name("");
     options->check.setup.addSharedTo(*command);
+    options->check.part.addTo(*command);
     options->check.settings.addTo(*command);
     options->threads.addTo(*command);
     command->add_flag("--json", options->json,

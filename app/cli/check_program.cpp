@@ -9,6 +9,7 @@
 #include "app/cli/check_inputs.h"
 #include "app/cli/check_steps.h"
 #include "app/cli/digest.h"
+#include "app/cli/part_json.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/formats/job_paths.h"
@@ -31,6 +32,8 @@ public:
             return refuse(std::move(job.error()));
         m_job = std::move(*job);
         if (auto fits = m_options.settings.apply(m_job.check); !fits)
+            return refuse(std::move(fits.error()));
+        if (auto fits = m_options.part.apply(m_job.part); !fits)
             return refuse(std::move(fits.error()));
         m_checked.program = m_job.program;
         m_checked.files = filesOf(m_job);
@@ -185,14 +188,18 @@ nlohmann::ordered_json toJson(const CheckedProgram& checked) {
     for (const std::filesystem::path& file : checked.files)
         if (file != checked.input)
             addInput(inputs, file);
-    return {{"program", checked.program.empty() ? checked.input.string() : checked.program.string()},
-            {"verdict", name(checked.report.verdict())},
-            {"exitCode", static_cast<int>(checked.exitCode())},
-            {"findings", std::move(findings)},
-            {"notChecked", std::move(notChecked)},
-            {"firstContacts", std::move(firstContacts)},
-            {"seconds", checked.seconds},
-            {"inputs", std::move(inputs)}};
+    nlohmann::ordered_json out{
+        {"program", checked.program.empty() ? checked.input.string() : checked.program.string()},
+        {"verdict", name(checked.report.verdict())},
+        {"exitCode", static_cast<int>(checked.exitCode())},
+        {"findings", std::move(findings)},
+        {"notChecked", std::move(notChecked)},
+        {"firstContacts", std::move(firstContacts)},
+        {"seconds", checked.seconds},
+        {"inputs", std::move(inputs)}};
+    if (checked.report.part)
+        out["part"] = toJson(*checked.report.part);
+    return out;
 }
 
 } // namespace proveout::cli

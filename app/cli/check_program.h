@@ -16,6 +16,7 @@ namespace proveout::cli {
 /// What is judged, and by which limits. Read by several threads at once.
 struct CheckOptions {
     SetupOptions setup;
+    PartOptions part;
     CheckSettings settings;
 };
 

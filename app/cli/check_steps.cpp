@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/check_steps.h"
 
+#include <optional>
 #include <utility>
+
+#include "core/formats/part_file.h"
 
 namespace proveout::cli {
 
@@ -26,12 +29,16 @@ Result<std::shared_ptr<const CheckReport>> judgeJob(Job& job, const InterpretedJ
         if (auto fits = options.checkGrid(job, {}); !fits)
             return tl::unexpected(std::move(fits.error()));
     }
+    std::optional<PartToCompare> part;
+    if (job.part)
+        part = {.of = readPart(*job.part, memoryBytes), .tolerance = job.part->tolerance};
     return check({.program = read.program,
                   .setup = std::make_shared<const Setup>(job.setup),
                   .machine = job.machine,
                   .hasStock = hasStock,
                   .warnings = job.warnings,
-                  .proposals = read.proposals},
+                  .proposals = read.proposals,
+                  .part = std::move(part)},
                  job.check, memoryBytes, context);
 }
 

@@ -118,6 +118,38 @@ Result<void> FixtureOptions::apply(Fixtures& into) const {
     return {};
 }
 
+void PartOptions::addTo(CLI::App& command) {
+    command
+        .add_option("--part", part,
+                    "The design part (STL, program coordinates) to compare the stock with at the end; its "
+                    "zero elsewhere: x=10,y=5,z=-20,turn=90,scale=25.4,allowance=0.3,file=part.stl")
+        ->type_name("FILE");
+    command
+        .add_option(
+            "--tolerance", tolerance,
+            "How much may be missing of the part, and left on it, normal to its surface, mm (0.1,0.1)")
+        ->type_name("BELOW[,ABOVE]");
+}
+
+Result<void> PartOptions::apply(std::optional<PartSpec>& into) const {
+    if (!part.empty()) {
+        auto read = parsePart(part, into.value_or(PartSpec()));
+        if (!read)
+            return aboutOption("--part", std::move(read.error()));
+        read->file = absolutePath(read->file);
+        into = std::move(*read);
+    }
+    if (tolerance.empty())
+        return {};
+    if (!into)
+        return aboutOption("--tolerance", failure(command_line_finding::kNoPart).value());
+    auto read = parseTolerance(tolerance, into->tolerance);
+    if (!read)
+        return aboutOption("--tolerance", std::move(read.error()));
+    into->tolerance = *read;
+    return {};
+}
+
 Diagnostics unusedCompensationStart(bool typeB, const Program& program) {
     const Dialect& row = dialect(program.dialect());
     if (!typeB || row.vectors.used)

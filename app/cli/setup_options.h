@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/decimation/surface/map_memory.h"
 #include "core/formats/job_file.h"
 #include "core/nc/program/program.h"
+#include "core/part/part_spec.h"
 
 namespace proveout::cli {
 
@@ -43,6 +45,16 @@ struct FixtureOptions {
 
     void addTo(CLI::App& command);
     [[nodiscard]] Result<void> apply(Fixtures& into) const;
+};
+
+/// `--part` and `--tolerance`.
+struct PartOptions {
+    std::string part;
+    std::string tolerance;
+
+    void addTo(CLI::App& command);
+    /// Values that are not given stay those of the job.
+    [[nodiscard]] Result<void> apply(std::optional<PartSpec>& into) const;
 };
 
 /// A warning if type B is requested but the control of the program does not distinguish types.

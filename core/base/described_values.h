@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -62,5 +63,13 @@ template<class Described>
     }
     return values;
 }
+
+/// A text that ends in "file=NAME", whose name may hold any characters.
+struct ValuesWithFile {
+    std::string_view values; ///< before it, without the comma
+    std::string_view file;
+};
+/// Nothing if it has no file, or one without a name.
+[[nodiscard]] std::optional<ValuesWithFile> valuesBeforeFile(std::string_view text);
 
 } // namespace proveout

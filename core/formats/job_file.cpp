@@ -235,6 +235,30 @@ void readMachine(JsonFields& job, std::optional<Machine>& machine) {
     fields.warnAboutUnknown();
 }
 
+constexpr const char* kPart = "part";
+
+void readPartSpec(JsonFields& job, const Reach& reach, std::optional<PartSpec>& part) {
+    if (!job.has(kPart))
+        return;
+    JsonFields fields = job.object(kPart);
+    part.emplace();
+    fields.require({"file"});
+    std::string file;
+    fields.read("file", file);
+    if (fields.has("file") && file.empty())
+        fields.fail("file", job_finding::kJobFieldEmpty, {});
+    else if (!file.empty())
+        part->file = reachedFile(fields, "file", file, reach);
+    describe(*part, FieldReader{fields});
+    fields.warnAboutUnknown();
+}
+
+ordered_json toJson(const PartSpec& part, const fs::path& folder) {
+    ordered_json out{{"file", absolutePath(part.file).lexically_proximate(folder).string()}};
+    describe(part, FieldWriter{out});
+    return out;
+}
+
 constexpr JsonRange kCoordinates{-1e6, 1e6};
 constexpr JsonRange kToolNumbers{0, kLargestTool};
 
@@ -376,6 +400,7 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     describeControl(job.setup, FieldReader{fields});
     readMachine(fields, job.machine);
     readCheck(fields, job.check);
+    readPartSpec(fields, reach, job.part);
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
     const bool usable = complaints.errors.empty();
@@ -405,6 +430,8 @@ ordered_json toJson(const Job& job, const fs::path& file) {
         describe(*job.machine, FieldWriter{out["machine"]});
     if (job.check != CheckRules())
         out[kCheck] = toJson(job.check);
+    if (job.part)
+        out[kPart] = toJson(*job.part, folderOfJob(file));
     describe(job.parameters, FieldWriter{out["decimation"]});
     return out;
 }

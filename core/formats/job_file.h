@@ -8,6 +8,7 @@
 #include "core/base/diagnostic.h"
 #include "core/decimation/regions/parameters.h"
 #include "core/formats/job_paths.h"
+#include "core/part/part_spec.h"
 #include "core/simulation/setup/check_rules.h"
 #include "core/simulation/setup/machine.h"
 #include "core/simulation/setup/setup.h"
@@ -21,9 +22,10 @@ struct Job {
     DecimationParameters parameters;
     std::optional<Machine> machine = {}; ///< nothing: the defaults are assumed
     CheckRules check = {};
-    Diagnostics warnings = {}; ///< about the file it was read from; never written
-    bool regionNamed = false;  ///< set by that file or by a later change of the job; never written. If false,
-                               ///< the size is the default of method and map
+    std::optional<PartSpec> part = {}; ///< its file is not read; nothing: the stock is compared with no part
+    Diagnostics warnings = {};         ///< about the file it was read from; never written
+    bool regionNamed = false; ///< set by that file or by a later change of the job; never written. If false,
+                              ///< the size is the default of method and map
 };
 
 /// Reads a job; the program itself is not opened. Region size and period that are not given are the defaults

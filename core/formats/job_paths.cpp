@@ -34,6 +34,8 @@ std::vector<fs::path> filesOf(const Job& job) {
     for (const auto& named : job.setup.fixtures)
         if (const auto* mesh = std::get_if<FixtureMesh>(&named.second))
             files.push_back(mesh->file);
+    if (job.part)
+        files.push_back(job.part->file);
     std::erase_if(files, [](const fs::path& file) { return file.empty(); });
     return files;
 }

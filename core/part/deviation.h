@@ -13,19 +13,11 @@
 #include "core/base/work_context.h"
 #include "core/part/design_part.h"
 #include "core/part/map_distance.h"
+#include "core/part/part_spec.h"
 #include "core/part/part_top.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
-
-/// What is allowed, mm. Value type.
-struct PartTolerance {
-    double below = 0.1;   ///< so much may be missing
-    double above = 0.1;   ///< so much may be left
-    double allowance = 0; ///< stock that is to be left on the part, normal to it
-
-    friend bool operator==(const PartTolerance&, const PartTolerance&) = default;
-};
 
 /// Deviations are normal to the surfaces, mm, without the allowance: positive where stock is left on the
 /// part, negative where it is missing. kNotJudged where there is no part, and the stock is not within it.

@@ -34,10 +34,10 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
      {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation",
       "core/simulation"}},
     {"core/formats",
-     {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation",
+     {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation", "core/part",
       "core/simulation"}},
     {"core/verification",
-     {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation",
+     {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation", "core/part",
       "core/simulation", "core/study", "core/formats"}},
 };
 
@@ -48,7 +48,7 @@ const std::map<std::string, std::vector<std::string>> kRoomsWithin{
     {"core/cutting", {"profiles", "rows", "kernels", "cut", "fixtures"}},
     {"core/decimation", {"regions", "lattice", "lee", "certified", "surface", "solid"}},
     {"core/simulation", {"setup", "time", "run", "records", "thread"}},
-    {"core/verification", {"findings", "rules", "verdict", "check"}},
+    {"core/verification", {"findings", "rules", "part", "verdict", "check"}},
 };
 
 /// The rooms that panels share, lowest first: each may include those before it.

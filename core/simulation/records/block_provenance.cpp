@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/setup/tool_choice.h"
 #include "core/zmap/grid_part.h"
@@ -38,18 +39,6 @@ bool reaches(const CutterMotion& one, const Vec3& place) {
            envelope(*one.cutter, one.motion, place.x, place.y) <= place.z + kOnSurface;
 }
 
-/// Whether a point is lower than before the first block.
-bool isCut(const Frame& moment, const MapPoint& point) {
-    GridPart cell(moment.zmap.grid());
-    const MapPoint corner{std::min(point.i, cell.nx - 2), std::min(point.j, cell.ny - 2)};
-    cell.firstI = corner.i;
-    cell.firstJ = corner.j;
-    cell.nx = cell.ny = 2;
-    const ZMap uncut = uncutPart(moment.setup->stock, moment.setup->shape, cell);
-    const double before = uncut.tile(0).at(point.i - corner.i, point.j - corner.j);
-    return double{moment.zmap.height(point.i, point.j)} < before - kOnSurface;
-}
-
 } // namespace
 
 std::optional<Provenance> blockProvenance(const ZMapSnapshot& uncut, const Program& program,
@@ -72,19 +61,42 @@ double provenanceBytes(const Grid& grid) {
     return zmapBytes(grid) + Provenance::bytes(grid);
 }
 
-std::optional<std::size_t> blockThatMade(const Program& program, const Setup& setup, std::size_t blocks,
-                                         const Vec3& place, const WorkContext& context) {
+std::vector<std::optional<std::size_t>> blocksThatMade(const Program& program, const Setup& setup,
+                                                       std::size_t blocks, std::span<const Vec3> places,
+                                                       const WorkContext& context) {
     constexpr std::size_t kBetweenLooks = 1024;
     const ToolChoice tools(program, setup);
+    std::vector<std::optional<std::size_t>> made(places.size());
+    const auto isKnown = [](const std::optional<std::size_t>& block) { return block.has_value(); };
     for (std::size_t first = 0; first < blocks && !context.stopped(); first += kBetweenLooks) {
         const std::size_t last = std::min(first + kBetweenLooks, blocks);
-        for (const CutterMotion& one : cutterMotions(program, first, last, setup, tools)) {
-            if (reaches(one, place))
-                return one.mark - 1;
-        }
+        const auto motions = cutterMotions(program, first, last, setup, tools);
+        inParallel(places.size(), [&](std::size_t k) {
+            for (std::size_t n = 0; n < motions.size() && !made[k]; ++n)
+                if (reaches(motions[n], places[k]))
+                    made[k] = motions[n].mark - 1;
+        });
+        if (std::ranges::all_of(made, isKnown))
+            break;
         context.report(static_cast<double>(last) / static_cast<double>(blocks));
     }
-    return std::nullopt;
+    return made;
+}
+
+std::optional<std::size_t> blockThatMade(const Program& program, const Setup& setup, std::size_t blocks,
+                                         const Vec3& place, const WorkContext& context) {
+    return blocksThatMade(program, setup, blocks, {&place, 1}, context).front();
+}
+
+bool isCut(const Frame& moment, const MapPoint& point) {
+    GridPart cell(moment.zmap.grid());
+    const MapPoint corner{std::min(point.i, cell.nx - 2), std::min(point.j, cell.ny - 2)};
+    cell.firstI = corner.i;
+    cell.firstJ = corner.j;
+    cell.nx = cell.ny = 2;
+    const ZMap uncut = uncutPart(moment.setup->stock, moment.setup->shape, cell);
+    const double before = uncut.tile(0).at(point.i - corner.i, point.j - corner.j);
+    return double{moment.zmap.height(point.i, point.j)} < before - kOnSurface;
 }
 
 std::optional<std::size_t> blockThatMade(const Frame& moment, const MapPoint& point,

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/base/work_context.h"
 #include "core/cutting/cut/provenance.h"
@@ -29,6 +31,12 @@ namespace proveout {
                                                        std::size_t blocks, const Vec3& place,
                                                        const WorkContext& context = {});
 
+/// The same for many places at once, in parallel.
+[[nodiscard]] std::vector<std::optional<std::size_t>> blocksThatMade(const Program& program,
+                                                                     const Setup& setup, std::size_t blocks,
+                                                                     std::span<const Vec3> places,
+                                                                     const WorkContext& context = {});
+
 /// A point of the grid of a map.
 struct MapPoint {
     int i = 0;
@@ -37,8 +45,11 @@ struct MapPoint {
     friend bool operator==(const MapPoint&, const MapPoint&) = default;
 };
 
-/// The same for a point of the map of a frame, which may be a detail region. Nothing also if the map is as
-/// high there as before the first block, even if motions have passed along it.
+/// Whether the map of a frame is lower at a point than before the first block. Any thread.
+[[nodiscard]] bool isCut(const Frame& moment, const MapPoint& point);
+
+/// The same as above for a point of the map of a frame, which may be a detail region. Nothing also if the map
+/// is as high there as before the first block, even if motions have passed along it.
 [[nodiscard]] std::optional<std::size_t> blockThatMade(const Frame& moment, const MapPoint& point,
                                                        const WorkContext& context = {});
 

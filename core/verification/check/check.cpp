@@ -10,6 +10,7 @@
 #include "core/cutting/fixtures/fixture_heights.h"
 #include "core/cutting/fixtures/fixture_surface.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/part/part_findings.h"
 #include "core/simulation/run/cutting_findings.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/setup/setup_memory.h"
@@ -18,6 +19,7 @@
 #include "core/verification/findings/check_findings.h"
 #include "core/verification/findings/findings.h"
 #include "core/verification/findings/rule_findings.h"
+#include "core/verification/part/comparison_findings.h"
 #include "core/verification/rules/rules.h"
 #include "core/verification/rules/tool_comments.h"
 #include "core/verification/verdict/not_checked.h"
@@ -37,6 +39,7 @@ namespace {
 constexpr double kTimed = 0.05;
 constexpr double kCut = 0.9;
 constexpr double kRecorded = 0.95;
+constexpr double kJudged = 0.97;
 /// What a checker keeps is at most one of so many parts of the memory.
 constexpr double kKeptShare = 4;
 
@@ -79,6 +82,8 @@ public:
                 return tl::unexpected(std::move(done.error()));
         } else {
             m_tools = ToolChoice(m_program, *m_subject.setup);
+            if (m_subject.part)
+                add(Diagnostics{diagnosticOf(part_finding::kNoStock)});
         }
         if (m_context.stopped())
             return nullptr;
@@ -191,10 +196,28 @@ private:
             if (!simulation.record(missing, m_context.part(kCut, kRecorded)))
                 return;
         }
-        for (const RuleFinding& finding : judge(run, m_rules, m_context.part(kRecorded, 1)))
-            addOfRule(finding);
+        for (const RuleFinding& finding : judge(run, m_rules, m_context.part(kRecorded, kJudged)))
+            addOfRule(finding, unitOf(*finding.row));
         for (const FirstContact& contact : firstContacts(run))
             m_report.firstContacts.push_back({contact, lineOf(contact.block)});
+        if (m_subject.part)
+            compare(frame, *m_subject.part);
+    }
+
+    void compare(const Frame& end, const PartToCompare& with) {
+        add(with.of.findings);
+        if (with.of.part == nullptr)
+            return;
+        const StockBox& stock = m_subject.setup->stock;
+        add(placementFindings(*with.of.part, stock, with.tolerance));
+        if (isMisplaced(*with.of.part, stock))
+            return;
+        m_report.part = comparePart(end, with.of.part, with.tolerance, m_context.part(kJudged, 1));
+        if (m_report.part == nullptr)
+            return;
+        for (const RuleFinding& finding : findingsOf(*m_report.part))
+            if (!m_rules.isOff(finding.row->id, finding.tool))
+                addOfRule(finding, comparisonUnit(*finding.row));
     }
 
     [[nodiscard]] const Machine* machine() const { return m_subject.machine ? &*m_subject.machine : nullptr; }
@@ -224,13 +247,13 @@ private:
         }
     }
 
-    void addOfRule(const RuleFinding& finding) {
+    void addOfRule(const RuleFinding& finding, const char* unit) {
         CheckFinding out{.diagnostic = diagnosticOf(finding, m_program),
                          .count = finding.count,
                          .tool = finding.tool,
                          .value = finding.value,
                          .limit = finding.limit,
-                         .unit = unitOf(*finding.row),
+                         .unit = unit,
                          .place = finding.place};
         if (finding.block) {
             out.block = *finding.block + 1;
@@ -282,7 +305,7 @@ Result<double> checkBytes(const CheckSubject& subject) {
     constexpr double kOfBlock = sizeof(BlockStatistics) + MachineTimes::kBytesPerBlock;
     return memoryForecast(*subject.setup, *grid, withoutDecimation(*subject.setup)).most +
            zmapBytes(*grid) + // Simulation::record()
-           fixtureBytes(subject.setup->fixtures) +
+           fixtureBytes(subject.setup->fixtures) + (subject.part ? comparisonBytes(*grid) : 0) +
            kOfBlock * static_cast<double>(subject.program->blockCount());
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
+#include "core/formats/part_file.h"
 #include "core/nc/program/program.h"
 #include "core/simulation/setup/check_rules.h"
 #include "core/simulation/setup/machine.h"
@@ -20,6 +21,12 @@ namespace proveout {
 
 struct CheckedStock;
 
+/// The part of a job. Value type.
+struct PartToCompare {
+    PartContents of;
+    PartTolerance tolerance;
+};
+
 /// What is checked. Value type.
 struct CheckSubject {
     std::shared_ptr<const Program> program; ///< interpreted with `setup`
@@ -29,6 +36,7 @@ struct CheckSubject {
     bool stockFitted = false;               ///< the stock is only fitted to the toolpath
     Diagnostics warnings = {};              ///< about the job; they come first in the report
     ToolProposals proposals = {};           ///< the tools as the program's comments describe them
+    std::optional<PartToCompare> part = {}; ///< what the stock is compared with; empty: nothing
 };
 
 /// The largest number of bytes that check() needs for it, without the program. Errors: stock, grid.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
 #include "core/simulation/setup/check_rules.h"
+#include "core/verification/part/part_comparison.h"
 #include "core/verification/rules/first_contacts.h"
 #include "core/verification/verdict/verdict.h"
 
@@ -47,6 +49,7 @@ struct CheckReport {
     std::size_t ofText = 0; ///< so many of them, the first ones, are of the job and the program text alone
     std::vector<NotChecked> notChecked; ///< what concerns the program
     std::vector<CheckedContact> firstContacts;
+    std::shared_ptr<const PartComparison> part; ///< null: the stock was not compared with a part
     /// The program itself is unverified for a reason that is not among the findings, or has no motion.
     bool programUnverified = false;
 

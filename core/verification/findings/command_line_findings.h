@@ -46,6 +46,12 @@ inline constexpr FindingRow kJobOutside{
     ""};
 inline constexpr FindingRow kToolTwice{
     Severity::error, false, "tool-twice", "Duplicate tool", "Tool {} is specified twice.", ""};
+inline constexpr FindingRow kNoPart{Severity::error,
+                                    false,
+                                    "part-missing",
+                                    "Part missing",
+                                    "There is no design part that the tolerance could be for.",
+                                    "State the part with --part, or in the job file."};
 inline constexpr FindingRow kStartOutOfRange{Severity::error,
                                              false,
                                              "start-out-of-range",
@@ -149,6 +155,7 @@ inline constexpr std::array kCommandLineRows{&kUsage,
                                              &kNoStock,
                                              &kJobOutside,
                                              &kToolTwice,
+                                             &kNoPart,
                                              &kStartOutOfRange,
                                              &kCompensationStartUnused,
                                              &kPointForm,

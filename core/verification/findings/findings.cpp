@@ -14,6 +14,7 @@
 #include "core/formats/mesh_findings.h"
 #include "core/formats/stock_file_findings.h"
 #include "core/nc/text/messages.h"
+#include "core/part/part_findings.h"
 #include "core/simulation/records/detail_findings.h"
 #include "core/simulation/run/cutting_findings.h"
 #include "core/simulation/run/tool_findings.h"
@@ -66,6 +67,8 @@ constexpr std::array kTables{
     FindingTable{FindingSource::simulation, cutting_finding::kCuttingRows, false},
     FindingTable{FindingSource::simulation, tool_finding::kToolRows, false},
     FindingTable{FindingSource::rules, rule_finding::kRuleRows, false},
+    FindingTable{FindingSource::setup, part_finding::kPartRows, true},
+    FindingTable{FindingSource::rules, part_finding::kComparisonRows, false},
     FindingTable{FindingSource::rules, check_finding::kCheckRows, true},
     FindingTable{FindingSource::simulation, detail_finding::kDetailRows, true},
     FindingTable{FindingSource::simulation, run_finding::kRunRows, true},

@@ -12,7 +12,7 @@ namespace proveout {
 /// Whether a program may be run on the machine.
 enum class Verdict : std::uint8_t {
     safe,       ///< all of it was checked, but for what was accepted by name, and nothing was found
-    faults,     ///< it would cause damage
+    faults,     ///< it would cause damage, or make a wrong part
     unverified, ///< a part of it was not checked
 };
 
