@@ -20,6 +20,8 @@ constexpr double kPointsDone = 0.8;
 constexpr double kMostSamples = 500'000;
 /// The part of a normal along Z: faces that are steeper are sampled on their own.
 constexpr double kSteepNormal = 0.5;
+/// The distance along Z may be so much longer than by the slope.
+constexpr double kAlongSlope = 1.1;
 /// Faces are upright down to here; below they face downwards.
 constexpr double kUprightNormal = -1e-6;
 /// Heights of the map are exact to 1 µm, and in single precision as are those of the part.
@@ -45,6 +47,7 @@ public:
         bool isOnPart = false;
         bool isJudged = false;
         bool hasSide = true;
+        bool isPlain = false; ///< that of a slope, which is not much less in the other direction
     };
 
     [[nodiscard]] Found at(int i, int j) const {
@@ -54,8 +57,8 @@ public:
         const ZMapSnapshot& zmap = m_map.zmap();
         const double left = double{zmap.height(i, j)} - top; // stock over the part
         Found found = fromStock(i, j, left);
-        const double beside = std::abs(left - m_tolerance.allowance);
-        if (beside <= std::min(m_tolerance.below, m_tolerance.above))
+        const bool isWithin = isAllowed(left) && isAllowed(found.value);
+        if (isWithin || (found.isPlain && !isAllowed(found.value)))
             return found;
         // The other direction: this place of the part may be farther from the stock.
         const Grid& grid = zmap.grid();
@@ -63,11 +66,16 @@ public:
         const auto nearest = m_map.nearest(place, atMost(std::abs(left)));
         const double away = nearest ? nearest->distance : std::abs(left);
         if (away > std::abs(found.value))
-            found = {std::copysign(away, left), true, true, true};
+            found = {std::copysign(away, left), true, true, true, false};
         return found;
     }
 
 private:
+    [[nodiscard]] bool isAllowed(double value) const {
+        const double off = value - m_tolerance.allowance;
+        return off <= m_tolerance.above && off >= -m_tolerance.below;
+    }
+
     /// The normal distance of the stock's point.
     [[nodiscard]] Found fromStock(int i, int j, double left) const {
         const ZMapSnapshot& zmap = m_map.zmap();
@@ -75,17 +83,25 @@ private:
         const Vec3 point(grid.x(i), grid.y(j), zmap.stock().topZ() + double{zmap.height(i, j)});
         const auto place = m_part.distance().at(point, atMost(std::abs(left)));
         if (!place)
-            return {left, false, true, true};
-        Found found{place->distance, false, true, true};
+            return {left, false, true, true, false};
+        Found found{place->distance, false, true, true, isOfSlope(*place, left)};
         const bool isSame = std::abs(place->distance) <= kSameHeight;
         // Over the highest place of the part no point is within it. Below, a point outside is beneath an
         // overhang that is gone, or on a wall: the other direction tells.
         const bool contradicts = left > kSameHeight && place->distance < -kSameHeight;
         if (!isSame && (!place->hasSide || contradicts))
-            return {std::copysign(std::abs(place->distance), left), false, true, false};
+            return {std::copysign(std::abs(place->distance), left), false, true, false, false};
         if (left < -kSameHeight && place->distance > 0)
             found.value = 0;
         return found;
+    }
+
+    /// Whether the nearest place is on a face upwards, and no nearer than its slope makes it.
+    [[nodiscard]] bool isOfSlope(const PartDistance::Place& place, double left) const {
+        const std::array<Vec3, 3> at = m_part.corners(place.facet);
+        const Vec3 normal = glm::cross(at[1] - at[0], at[2] - at[0]);
+        return normal.z >= kSteepNormal * glm::length(normal) &&
+               std::abs(left) * kSteepNormal <= kAlongSlope * std::abs(place.distance);
     }
 
     const MapDistance& m_map;

@@ -47,17 +47,23 @@ private:
 
     /// The places whose blocks may have made an island, the best first.
     void add(const Island& island, std::size_t owner) {
-        if (island.kind == IslandKind::gouge && island.isOnPart) {
-            // Nothing is left within the deviation around the place: who reached the lower end of that?
-            const double depth = std::max(island.depthMm, kOnSurface);
-            return addAround(island.place - Vec3(0, 0, depth - kOnSurface), owner);
-        }
+        if (island.kind == IslandKind::gouge && island.isOnPart)
+            return addAround(missingPlace(island), owner);
         const ZMapSnapshot& zmap = m_comparison.deviation.stock();
         const Grid& grid = zmap.grid();
         if (isCut(m_end, {island.i, island.j}))
             addAround(Vec3(grid.x(island.i), grid.y(island.j),
                            zmap.stock().topZ() + double{zmap.height(island.i, island.j)}),
                       owner);
+    }
+
+    /// A place within the part, deeper than allowed, where nothing is left: who came there first is to blame.
+    [[nodiscard]] Vec3 missingPlace(const Island& island) const {
+        const double depth = (island.depthMm + m_comparison.tolerance.below) / 2;
+        const DesignPart& part = m_comparison.deviation.part();
+        const auto nearest = part.distance().at(island.place);
+        const std::array<Vec3, 3> at = part.corners(nearest->facet);
+        return island.place - glm::normalize(glm::cross(at[1] - at[0], at[2] - at[0])) * depth;
     }
 
     void addAround(const Vec3& place, std::size_t owner) {
