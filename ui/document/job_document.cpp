@@ -71,6 +71,7 @@ Result<std::filesystem::path> JobDocument::readSetup(const std::filesystem::path
     m_values.parameters = job->parameters;
     m_values.machine = job->machine;
     m_values.check = std::move(job->check);
+    m_values.part = std::move(job->part);
     m_values.regionNamed = job->regionNamed;
     jobSaved();
     return std::move(job->program);
@@ -127,13 +128,14 @@ Result<JobDocument> JobDocument::restore(const KeptWork& kept, const WorkContext
 Job JobDocument::job() const {
     const std::filesystem::path program =
         m_text.path.empty() ? std::filesystem::path() : std::filesystem::absolute(m_text.path);
-    return {program, *m_values.setup, m_values.parameters, m_values.machine, m_values.check};
+    return {program, *m_values.setup, m_values.parameters, m_values.machine, m_values.check, m_values.part};
 }
 
 /// Changed parameters alone do not require a job file.
 bool JobDocument::jobModified() const {
     return m_jobOutdated || !isSameSetup(*m_values.setup, *m_saved.setup) ||
            m_values.machine != m_saved.machine || m_values.check != m_saved.check ||
+           m_values.part != m_saved.part ||
            (!m_jobFile.isEmpty() && !(m_values.parameters == m_saved.parameters));
 }
 
@@ -266,6 +268,7 @@ void JobDocument::replaceJob(const JobDocument& other) {
     m_values.parameters = other.m_values.parameters;
     m_values.machine = other.m_values.machine;
     m_values.check = other.m_values.check;
+    m_values.part = other.m_values.part;
     m_values.regionNamed = other.m_values.regionNamed;
     m_warnings = other.m_warnings;
     m_jobOnDisk = other.m_jobOnDisk;
@@ -354,6 +357,11 @@ void JobDocument::setCheck(const CheckRules& check) {
     m_values.check = check;
 }
 
+void JobDocument::setPart(const std::optional<PartSpec>& part) {
+    ++m_revision;
+    m_values.part = part;
+}
+
 void JobDocument::change(const JobValues& from, const JobValues& to) {
     ++m_revision;
     if (from.setup != to.setup) {
@@ -371,6 +379,8 @@ void JobDocument::change(const JobValues& from, const JobValues& to) {
         m_values.machine = to.machine;
     if (from.check != to.check)
         m_values.check = to.check;
+    if (from.part != to.part)
+        m_values.part = to.part;
 }
 
 } // namespace proveout

@@ -51,6 +51,7 @@ struct JobValues {
     DecimationParameters parameters = {};
     std::optional<Machine> machine = {}; ///< empty: not defined
     CheckRules check = {};
+    std::optional<PartSpec> part = {}; ///< empty: the stock is compared with nothing
     bool regionNamed = false; ///< otherwise the region size is the default, which depends on the z-map
     bool wantsStock = true;   ///< the stock is still to be fitted to the program
 };
@@ -78,6 +79,7 @@ public:
     [[nodiscard]] const DecimationParameters& parameters() const { return m_values.parameters; }
     [[nodiscard]] const std::optional<Machine>& machine() const { return m_values.machine; }
     [[nodiscard]] const CheckRules& check() const { return m_values.check; }
+    [[nodiscard]] const std::optional<PartSpec>& part() const { return m_values.part; }
     [[nodiscard]] const JobValues& values() const { return m_values; }
     /// Whether the stock must still be fitted to the program, because neither a job nor the user has defined
     /// it.
@@ -139,6 +141,7 @@ public:
     void setParameters(const DecimationParameters& parameters);
     void setMachine(const Machine& machine);
     void setCheck(const CheckRules& check);
+    void setPart(const std::optional<PartSpec>& part);
     /// Applies the differences between two moments, as undo or redo does. Fields that are equal in both keep
     /// their current values.
     void change(const JobValues& from, const JobValues& to);

@@ -31,6 +31,7 @@ constexpr int kMachineFields = 300;
 constexpr int kFixtures = 400; // plus the position among the names
 constexpr int kMostFixtures = 500;
 constexpr int kLimitFields = 900;
+constexpr int kPartFields = 950;
 constexpr int kTools = 1000; // plus the tool number
 
 QString translated(const char* text) {
@@ -188,6 +189,12 @@ JobStepName checkName(const CheckRules& before, const CheckRules& after) {
     return {translated(QT_TRANSLATE_NOOP("JobSteps", "Waiver"))};
 }
 
+JobStepName partName(const std::optional<PartSpec>& before, const std::optional<PartSpec>& after) {
+    if (!before || !after || before->file != after->file)
+        return {translated(QT_TRANSLATE_NOOP("JobSteps", "Design part"))};
+    return fieldName(*before, *after, kPartFields, QT_TRANSLATE_NOOP("JobSteps", "Design part"));
+}
+
 } // namespace
 
 JobStepName jobStepName(const JobValues& before, const JobValues& after) {
@@ -204,13 +211,16 @@ JobStepName jobStepName(const JobValues& before, const JobValues& after) {
     }
     if (before.check != after.check)
         return checkName(before.check, after.check);
+    if (before.part != after.part)
+        return partName(before.part, after.part);
     return fieldName(before.machine.value_or(Machine()), after.machine.value_or(Machine()), kMachineFields,
                      QT_TRANSLATE_NOOP("JobSteps", "Machine"));
 }
 
 bool sameValues(const JobValues& a, const JobValues& b) {
     const bool sameSetup = a.setup == b.setup || *a.setup == *b.setup;
-    return sameSetup && a.parameters == b.parameters && a.machine == b.machine && a.check == b.check;
+    return sameSetup && a.parameters == b.parameters && a.machine == b.machine && a.check == b.check &&
+           a.part == b.part;
 }
 
 } // namespace proveout

@@ -12,6 +12,7 @@
 #include "core/verification/findings/check_findings.h"
 #include "ui/session/document_hub.h"
 #include "ui/session/job_hub.h"
+#include "ui/session/part_hub.h"
 #include "ui/session/program_hub.h"
 
 namespace proveout {
@@ -39,8 +40,9 @@ CheckResult checkOnOneThread(Checker& checker, const CheckSubject& subject, cons
 
 } // namespace
 
-CheckHub::CheckHub(const DocumentHub& document, const ProgramHub& program, const JobHub& job)
-    : m_document(document), m_program(program), m_job(job),
+CheckHub::CheckHub(const DocumentHub& document, const ProgramHub& program, const JobHub& job,
+                   const PartHub& part)
+    : m_document(document), m_program(program), m_job(job), m_part(part),
       m_checker(std::make_shared<Checker>(kCheckpointBytes)) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseMs);
@@ -55,6 +57,8 @@ CheckHub::CheckHub(const DocumentHub& document, const ProgramHub& program, const
     });
     connect(&job, &JobHub::setupChanged, this, &CheckHub::restart);
     connect(&job, &JobHub::machineChanged, this, &CheckHub::restart);
+    connect(&job, &JobHub::partChanged, this, &CheckHub::restart);
+    connect(&part, &PartHub::partChanged, this, &CheckHub::restart);
     connect(&job, &JobHub::checkChanged, this, &CheckHub::adoptRules);
 }
 
@@ -114,7 +118,8 @@ void CheckHub::restart() {
     m_report.reset();
     m_refusal.clear();
     m_progress = waits ? std::optional(0.0) : std::nullopt;
-    if (waits && m_program.current() && m_program.isUpToDate() && !m_program.isReading())
+    if (waits && m_program.current() && m_program.isUpToDate() && !m_program.isReading() &&
+        !m_part.isReading())
         m_pause.start();
     if (isNews)
         emit changed();
@@ -123,11 +128,15 @@ void CheckHub::restart() {
 void CheckHub::begin() {
     if (m_program.isForeign())
         return finish(tl::unexpected(m_program.current()->diagnostics()));
+    std::optional<PartToCompare> part;
+    if (m_job.part())
+        part = {.of = m_part.contents(), .tolerance = m_job.part()->tolerance};
     const CheckSubject subject{.program = m_program.current(),
                                .setup = m_document.job().setup(),
                                .machine = m_job.machine(),
                                .stockFitted = m_document.job().stockFitted(),
-                               .proposals = m_program.proposals()};
+                               .proposals = m_program.proposals(),
+                               .part = std::move(part)};
     m_rules = m_job.check();
     const std::uint64_t memory = m_memoryLimit.value_or(memoryLimitBytes() / 2);
     m_task.start(

@@ -19,17 +19,18 @@ namespace proveout {
 class Checker;
 class DocumentHub;
 class JobHub;
+class PartHub;
 class ProgramHub;
 
 /// The verdict on the open program. The whole program is checked in the background, on one thread of low
-/// priority, whenever program, setup and machine have not changed for a moment; a change, another document
-/// and the end of the session cancel it. Thread: the UI thread.
+/// priority, whenever program, setup, machine and part have not changed for a moment; a change, another
+/// document and the end of the session cancel it. Thread: the UI thread.
 class CheckHub final : public QObject {
     Q_OBJECT
 
 public:
     /// All must outlive this object.
-    CheckHub(const DocumentHub& document, const ProgramHub& program, const JobHub& job);
+    CheckHub(const DocumentHub& document, const ProgramHub& program, const JobHub& job, const PartHub& part);
 
     /// The result; null until it is known, and if there is none.
     [[nodiscard]] const std::shared_ptr<const CheckReport>& report() const { return m_report; }
@@ -69,6 +70,7 @@ private:
     const DocumentHub& m_document;
     const ProgramHub& m_program;
     const JobHub& m_job;
+    const PartHub& m_part;
     std::shared_ptr<const CheckReport> m_report;
     std::shared_ptr<const CheckReport> m_before; ///< of the same text before it was edited
     Diagnostics m_refusal;

@@ -71,6 +71,17 @@ void JobHub::setCheck(const CheckRules& check) {
     m_history.record(before, m_document.job().values());
 }
 
+void JobHub::setPart(const std::optional<PartSpec>& part) {
+    if (this->part() == part)
+        return;
+    m_document.stopOpening();
+    const JobValues before = m_document.job().values();
+    m_document.editJob().setPart(part);
+    emit partChanged();
+    emit m_document.changed();
+    m_history.record(before, m_document.job().values());
+}
+
 /// Whether the z-map for the setup can be created.
 Result<void> JobHub::checkMap(const Setup& setup) const {
     return checkSetupMemory(setup, parameters(), static_cast<double>(memoryLimitBytes()), true);
@@ -131,6 +142,8 @@ void JobHub::change(const JobValues& from, const JobValues& to) {
     }
     if (before.check != check())
         emit checkChanged();
+    if (before.part != part())
+        emit partChanged();
     emit m_document.changed();
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/regions/parameters.h"
+#include "core/part/part_spec.h"
 #include "core/simulation/setup/check_rules.h"
 #include "core/simulation/setup/machine.h"
 #include "core/simulation/setup/setup.h"
@@ -36,12 +37,16 @@ public:
     /// By what the program is judged.
     [[nodiscard]] const CheckRules& check() const { return m_document.job().check(); }
 
+    /// The part that the stock is compared with; empty: none.
+    [[nodiscard]] const std::optional<PartSpec>& part() const { return m_document.job().part(); }
+
     /// Returns errors (stock, grid, memory) and then changes nothing. The spacing of an automatic grid is
     /// computed here, whatever `wanted` contains.
     Result<void> setSetup(const Setup& wanted);
     void setParameters(const DecimationParameters& parameters);
     void setMachine(const Machine& machine);
     void setCheck(const CheckRules& check);
+    void setPart(const std::optional<PartSpec>& part);
     /// The stock that contains the program's cutting motions (fittedStock()); the current one if there are no
     /// motions.
     [[nodiscard]] StockBox stockFittedToProgram() const;
@@ -76,6 +81,7 @@ signals:
     void parametersChanged();
     void machineChanged();
     void checkChanged();
+    void partChanged();
     /// Panels must apply the input that they delay while the user is typing.
     void inputWanted();
 

@@ -24,6 +24,7 @@ void Session::documentAdopted() {
     emit m_job.setupChanged();
     emit m_job.machineChanged();
     emit m_job.checkChanged();
+    emit m_job.partChanged();
     emit m_program.timesChanged();
     emit m_job.parametersChanged();
     emit m_playback.changed();
@@ -39,6 +40,7 @@ void Session::jobReread(const DecimationParameters& before) {
     m_job.reportSetup(before);
     emit m_job.machineChanged();
     emit m_job.checkChanged();
+    emit m_job.partChanged();
     m_program.measure();
 }
 

@@ -11,6 +11,7 @@
 #include "ui/session/export_hub.h"
 #include "ui/session/job_hub.h"
 #include "ui/session/navigation_hub.h"
+#include "ui/session/part_hub.h"
 #include "ui/session/playback_hub.h"
 #include "ui/session/problems_hub.h"
 #include "ui/session/program_hub.h"
@@ -47,6 +48,8 @@ public:
     [[nodiscard]] const PlaybackHub& playback() const { return m_playback; }
     [[nodiscard]] NavigationHub& navigation() { return m_navigation; }
     [[nodiscard]] const NavigationHub& navigation() const { return m_navigation; }
+    [[nodiscard]] PartHub& part() { return m_part; }
+    [[nodiscard]] const PartHub& part() const { return m_part; }
     [[nodiscard]] CheckHub& check() { return m_check; }
     [[nodiscard]] const CheckHub& check() const { return m_check; }
     [[nodiscard]] ContactHub& contact() { return m_contact; }
@@ -70,7 +73,8 @@ private:
     JobHub m_job{m_document, m_program, m_playback};
     StockFileHub m_stockFile{m_job, m_problems};
     NavigationHub m_navigation{{m_program, m_simulation, m_playback, m_problems, m_work}};
-    CheckHub m_check{m_document, m_program, m_job};
+    PartHub m_part{m_job, m_simulation};
+    CheckHub m_check{m_document, m_program, m_job, m_part};
     ContactHub m_contact{m_document, m_program, m_playback};
     ExportHub m_exports{{m_document, m_program, m_simulation, m_problems, m_work}};
 };
