@@ -103,12 +103,12 @@ void describe(Params& tolerance, Visitor&& visit) {
 }
 template<ParametersOf<PartSpec> Params, class Visitor>
 void describe(Params& part, Visitor&& visit) {
+    describe(part.tolerance, visit);
     visit(part.x, part_field::position("x", PROVEOUT_TEXT("Core", "Zero X")));
     visit(part.y, part_field::position("y", PROVEOUT_TEXT("Core", "Zero Y")));
     visit(part.z, part_field::position("z", PROVEOUT_TEXT("Core", "Zero Z")));
     visit(part.turn, part_field::kTurn);
     visit(part.scale, part_field::kScale);
-    describe(part.tolerance, visit);
 }
 
 /// Reads the name of a file, or "x=…,y=…,z=…,turn=…,scale=…,below=…,above=…,allowance=…,file=…", where each

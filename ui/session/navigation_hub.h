@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include "core/base/geometry.h"
 #include "ui/program/block_search.h"
 
 namespace proveout {
@@ -48,6 +49,8 @@ signals:
     void lineRequested(std::uint32_t line, int column);
     /// Requests that a tool of the table is shown, or that the tool with this number is defined.
     void toolRequested(int number);
+    /// Requests that the view shows a place (program coordinates), and what is around it within a radius, mm.
+    void placeRequested(const Vec3& place, double radius);
     /// The result of goToBlockThatMade().
     void placeFound(const PlaceAnswer& answer);
 

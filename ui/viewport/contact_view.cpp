@@ -27,9 +27,13 @@ void ContactView::show() {
     if (shown != m_options.contact) {
         m_options.contact = shown;
         if (shown)
-            m_flight.start(centredOn(m_camera, contact->place, contact->size), flightMilliseconds());
+            lookAt(contact->place, contact->size);
     }
     emit changed();
+}
+
+void ContactView::lookAt(const Vec3& place, double radius) {
+    m_flight.start(centredOn(m_camera, place, radius), flightMilliseconds());
 }
 
 /// None if the desktop asks for no animations.

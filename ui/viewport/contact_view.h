@@ -24,6 +24,9 @@ public:
     /// The frame in the view; may be null.
     void follow(const FramePtr& frame);
 
+    /// Brings a place into view, and what is around it within a radius, mm.
+    void lookAt(const Vec3& place, double radius);
+
 signals:
     /// The camera has moved.
     void moved();

@@ -57,6 +57,7 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     connect(&session.playback(), &PlaybackHub::tick, this, &Viewport::onTick);
     connect(m_contact, &ContactView::changed, this, &Viewport::followOptions);
     connect(m_contact, &ContactView::moved, this, &Viewport::moved);
+    connect(&session.navigation(), &NavigationHub::placeRequested, m_contact, &ContactView::lookAt);
     new ToolNotice(session, this);
     new ForeignNotice(session, this);
     followPalette();

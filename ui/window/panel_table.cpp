@@ -12,6 +12,7 @@
 #include "ui/control/control_panel.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
+#include "ui/part/part_panel.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/readout/problem_list.h"
 #include "ui/session/playback_commands.h"
@@ -71,6 +72,12 @@ QString markJob(const QString& title, const Session& session) {
 QString countProblems(const QString& title, const Session& session) {
     const std::vector<CheckFinding> problems = problemList(session);
     const std::size_t count = problems.size() + outdatedProblems(session, problems).size();
+    return count == 0 ? title : QStringLiteral("%1 (%2)").arg(title).arg(count);
+}
+
+QString countIslands(const QString& title, const Session& session) {
+    const auto& report = session.check().report();
+    const std::size_t count = report && report->part ? report->part->gouges + report->part->excesses : 0;
     return count == 0 ? title : QStringLiteral("%1 (%2)").arg(title).arg(count);
 }
 
@@ -138,6 +145,13 @@ std::span<const PanelRow> panelTable() {
                  .icon = "breakpoint",
                  .keys = "Ctrl+9",
                  .make = make<BreakpointsPanel>},
+        PanelRow{.id = "dock-part",
+                 .title = QT_TRANSLATE_NOOP("Docks", "Part"),
+                 .icon = "part",
+                 .keys = "Ctrl+0",
+                 .make = make<PartPanel>,
+                 .editsJob = true,
+                 .marked = countIslands},
     };
     return kRows;
 }
