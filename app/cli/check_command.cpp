@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/cli/check_inputs.h"
+#include "app/cli/check_page.h"
 #include "app/cli/check_program.h"
 #include "app/cli/check_reports.h"
 #include "app/cli/check_results.h"
@@ -36,6 +37,7 @@ struct CheckCommand {
     std::string sarif;
     std::string junit;
     std::string resume;
+    std::string page;
     int jobs = 0;
     bool json = false;
 };
@@ -65,12 +67,18 @@ public:
         for (const std::filesystem::path& file : files)
             names.push_back(file.string());
         if (!fine(m_command.check.settings.apply(anyRules)) ||
-            !fine(checkOutputs(names, {{m_command.sarif}, {m_command.junit}, {m_command.resume}})))
+            !fine(checkOutputs(names,
+                               {{m_command.sarif}, {m_command.junit}, {m_command.resume}, {m_command.page}})))
             return m_report.exitCode();
         if (files.empty()) {
             m_report.addFatal({diagnosticOf(command_line_finding::kNothingToCheck)});
             return m_report.exitCode();
         }
+        if (!m_command.page.empty() && files.size() > 1) {
+            m_report.addFatal({diagnosticOf(command_line_finding::kReportOfMany)});
+            return m_report.exitCode();
+        }
+        m_command.check.keepsResult = !m_command.page.empty();
         if (!m_command.resume.empty() &&
             !fine(m_results.open(m_command.resume, m_command.check.settings.text())))
             return m_report.exitCode();
@@ -124,6 +132,8 @@ private:
         checked["input"] = file.string();
         checked["settings"] = m_command.check.settings.text();
         const std::scoped_lock lock(m_mutex);
+        if (!m_command.page.empty())
+            (void)fine(writeReport(m_command.page, checked, result));
         m_results.add(checked);
         for (const CheckFinding& finding : result.report.findings)
             cli::print(finding);
@@ -189,6 +199,8 @@ void addCheckCommand(CLI::App& app, ExitCode& exitCode) {
         ->type_name("F.sarif");
     command->add_option("--junit", options->junit, "Write one test case per program (JUnit XML)")
         ->type_name("F.xml");
+    command->add_option("--report", options->page, "Write the report of one program as a page (HTML)")
+        ->type_name("F.html");
     command->add_option("--jobs", options->jobs, "Programs checked at once (one per thread)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");

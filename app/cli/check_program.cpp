@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/check_program.h"
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <new>
@@ -40,7 +41,10 @@ public:
         if (auto read = interpret(); !read)
             return refuse(m_job.warnings, read.error());
         const bool hasStock = isJob(m_checked.input) || m_options.setup.stockGiven();
-        const auto report = judgeJob(m_job, m_read, hasStock, m_options.setup, memoryLimitBytes());
+        const auto report = judgeJob(
+            m_job, m_read,
+            {.hasStock = hasStock, .keepsResult = m_options.keepsResult, .memoryBytes = memoryLimitBytes()},
+            m_options.setup);
         if (!report)
             return refuseRead(report.error());
         m_checked.report = **report;
@@ -128,6 +132,38 @@ void addInput(nlohmann::ordered_json& inputs, const std::filesystem::path& file)
         inputs.push_back({{"file", file.string()}, {"sha256", *digest}});
 }
 
+nlohmann::ordered_json toJson(const TimeParts& parts, bool assumed) {
+    return {{"total", parts.total()}, {"rapid", parts.rapid},           {"feed", parts.feed},
+            {"dwell", parts.dwell},   {"toolChange", parts.toolChange}, {"assumed", assumed}};
+}
+
+nlohmann::ordered_json toJson(const CheckedResult& result) {
+    const StockBox& stock = result.stock.stock();
+    const Grid& grid = result.stock.grid();
+    auto tools = nlohmann::ordered_json::array();
+    for (const CheckedResult::OfTool& tool : result.tools) {
+        nlohmann::ordered_json row{{"tool", tool.tool}, {"cutter", tool.cutter}};
+        const auto at = std::ranges::find(result.times->tools, tool.tool, &MachineTimes::OfTool::tool);
+        const MachineTimes::OfTool times = at == result.times->tools.end() ? MachineTimes::OfTool() : *at;
+        row.update({{"feed", times.parts.feed},
+                    {"rapid", times.parts.rapid},
+                    {"feedLengthMm", times.feedLength},
+                    {"lowestZ", tool.lowestZ}});
+        tools.push_back(std::move(row));
+    }
+    return {{"stock",
+             {{"width", stock.width},
+              {"depth", stock.depth},
+              {"height", stock.height},
+              {"minX", stock.corner.x},
+              {"minY", stock.corner.y},
+              {"topZ", stock.corner.z}}},
+            {"grid", {{"nx", grid.nx}, {"ny", grid.ny}, {"hx", grid.hx}, {"hy", grid.hy}}},
+            {"removedMm3", result.removedMm3},
+            {"machineSeconds", toJson(result.times->parts, result.machineAssumed)},
+            {"tools", std::move(tools)}};
+}
+
 } // namespace
 
 ExitCode CheckedProgram::exitCode() const {
@@ -197,6 +233,8 @@ nlohmann::ordered_json toJson(const CheckedProgram& checked) {
         {"firstContacts", std::move(firstContacts)},
         {"seconds", checked.seconds},
         {"inputs", std::move(inputs)}};
+    if (checked.report.result)
+        out["run"] = toJson(*checked.report.result);
     if (checked.report.part)
         out["part"] = toJson(*checked.report.part);
     return out;

@@ -18,6 +18,7 @@ struct CheckOptions {
     SetupOptions setup;
     PartOptions part;
     CheckSettings settings;
+    bool keepsResult = false; ///< CheckSubject
 };
 
 struct CheckedProgram {

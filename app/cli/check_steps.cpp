@@ -19,10 +19,9 @@ InterpretedJob interpretJob(Job& job, const NcText& text, const InterpretAgain& 
     return read;
 }
 
-Result<std::shared_ptr<const CheckReport>> judgeJob(Job& job, const InterpretedJob& read, bool hasStock,
-                                                    const SetupOptions& options, std::uint64_t memoryBytes,
-                                                    const WorkContext& context) {
-    if (hasStock) {
+Result<std::shared_ptr<const CheckReport>> judgeJob(Job& job, const InterpretedJob& read, const Judging& how,
+                                                    const SetupOptions& options, const WorkContext& context) {
+    if (how.hasStock) {
         job.parameters.method = DecimationMethod::none;
         job.parameters.period = 0;
         SetupOptions::settleGrid(job, *read.program, {});
@@ -31,15 +30,16 @@ Result<std::shared_ptr<const CheckReport>> judgeJob(Job& job, const InterpretedJ
     }
     std::optional<PartToCompare> part;
     if (job.part)
-        part = {.of = readPart(*job.part, memoryBytes), .tolerance = job.part->tolerance};
+        part = {.of = readPart(*job.part, how.memoryBytes), .tolerance = job.part->tolerance};
     return check({.program = read.program,
                   .setup = std::make_shared<const Setup>(job.setup),
                   .machine = job.machine,
-                  .hasStock = hasStock,
+                  .hasStock = how.hasStock,
                   .warnings = job.warnings,
                   .proposals = read.proposals,
-                  .part = std::move(part)},
-                 job.check, memoryBytes, context);
+                  .part = std::move(part),
+                  .keepsResult = how.keepsResult},
+                 job.check, how.memoryBytes, context);
 }
 
 } // namespace proveout::cli

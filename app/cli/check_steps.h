@@ -25,11 +25,17 @@ struct InterpretedJob {
 [[nodiscard]] InterpretedJob interpretJob(Job& job, const NcText& text, const InterpretAgain& interpret,
                                           const InterpretAgain& again);
 
+struct Judging {
+    bool hasStock = true;
+    bool keepsResult = false; ///< CheckSubject
+    std::uint64_t memoryBytes = 0;
+};
+
 /// Judges a program that interpretJob() has interpreted, by the rules of the job; settles an automatic grid
-/// first. Results and errors are those of check().
+/// first. Results and errors are those of check(); `keepsResult`: CheckSubject.
 [[nodiscard]] Result<std::shared_ptr<const CheckReport>> judgeJob(Job& job, const InterpretedJob& read,
-                                                                  bool hasStock, const SetupOptions& options,
-                                                                  std::uint64_t memoryBytes,
+                                                                  const Judging& how,
+                                                                  const SetupOptions& options,
                                                                   const WorkContext& context = {});
 
 } // namespace proveout::cli

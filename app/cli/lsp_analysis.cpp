@@ -125,7 +125,7 @@ void LspAnalysis::run(const Task& task, Job job, const InterpretedJob& read, con
     Result<std::shared_ptr<const CheckReport>> report;
     // One thread: the others are for the editor.
     onThisThread([&] {
-        report = judgeJob(job, read, true, m_options.setup, memoryLimitBytes() / 2, {stop, {}});
+        report = judgeJob(job, read, {.memoryBytes = memoryLimitBytes() / 2}, m_options.setup, {stop, {}});
     });
     if (stop.stop_requested())
         return;

@@ -30,6 +30,8 @@ proveout_find(zstd LEAST 1.5 TARGET zstd::libzstd_shared PACKAGE libzstd-dev
   ALSO zstd::libzstd zstd::libzstd_static CONFIGS zstd MODULES libzstd HEADER zstd.h LIBRARIES zstd
   VERSION_MACRO ZSTD_VERSION)
 find_package(LibArchive 3.6 REQUIRED) # its module comes with CMake, and searches plainly
+proveout_find(png LEAST 1.6 TARGET PNG::PNG PACKAGE libpng-dev MODULES libpng HEADER png.h LIBRARIES png
+  VERSION_MACRO PNG_LIBPNG_VER_STRING VERSION_HEADER png.h)
 proveout_find(nettle LEAST 3.8 TARGET nettle::nettle PACKAGE nettle-dev
   MODULES nettle HEADER nettle/sha2.h LIBRARIES nettle VERSION_MACRO NETTLE_VERSION VERSION_HEADER nettle/version.h)
 

@@ -39,6 +39,8 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
     {"core/verification",
      {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation", "core/part",
       "core/simulation", "core/study", "core/formats"}},
+    {"core/report",
+     {"core/base", "core/zmap", "core/decimation", "core/part", "core/formats", "core/verification"}},
 };
 
 /// The rooms within a room, lowest first: each may include those before it.

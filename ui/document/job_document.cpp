@@ -264,12 +264,7 @@ void JobDocument::replaceText(Document text) {
 }
 
 void JobDocument::replaceJob(const JobDocument& other) {
-    m_values.setup = other.m_values.setup;
-    m_values.parameters = other.m_values.parameters;
-    m_values.machine = other.m_values.machine;
-    m_values.check = other.m_values.check;
-    m_values.part = other.m_values.part;
-    m_values.regionNamed = other.m_values.regionNamed;
+    m_values = other.m_values;
     m_warnings = other.m_warnings;
     m_jobOnDisk = other.m_jobOnDisk;
     m_jobState = other.m_jobState;
@@ -345,21 +340,6 @@ void JobDocument::setParameters(const DecimationParameters& parameters) {
         parameters.method != m_values.parameters.method)
         m_values.regionNamed = parameters.regionCells != defaultRegionHere(parameters.method);
     m_values.parameters = parameters;
-}
-
-void JobDocument::setMachine(const Machine& machine) {
-    ++m_revision;
-    m_values.machine = machine;
-}
-
-void JobDocument::setCheck(const CheckRules& check) {
-    ++m_revision;
-    m_values.check = check;
-}
-
-void JobDocument::setPart(const std::optional<PartSpec>& part) {
-    ++m_revision;
-    m_values.part = part;
 }
 
 void JobDocument::change(const JobValues& from, const JobValues& to) {

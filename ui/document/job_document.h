@@ -139,9 +139,12 @@ public:
     /// `forNow`: the stock must be fitted again later.
     void fitSetup(std::shared_ptr<const Setup> setup, bool forNow = false);
     void setParameters(const DecimationParameters& parameters);
-    void setMachine(const Machine& machine);
-    void setCheck(const CheckRules& check);
-    void setPart(const std::optional<PartSpec>& part);
+    /// Sets one of the values that no other one depends on.
+    template<class Value>
+    void set(Value JobValues::*field, const Value& value) {
+        ++m_revision;
+        m_values.*field = value;
+    }
     /// Applies the differences between two moments, as undo or redo does. Fields that are equal in both keep
     /// their current values.
     void change(const JobValues& from, const JobValues& to);

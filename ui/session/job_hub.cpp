@@ -53,7 +53,7 @@ void JobHub::setMachine(const Machine& machine) {
         return;
     m_document.stopOpening();
     const JobValues before = m_document.job().values();
-    m_document.editJob().setMachine(machine);
+    m_document.editJob().set(&JobValues::machine, std::optional(machine));
     m_program.measure();
     emit machineChanged();
     emit m_document.changed();
@@ -65,7 +65,7 @@ void JobHub::setCheck(const CheckRules& check) {
         return;
     m_document.stopOpening();
     const JobValues before = m_document.job().values();
-    m_document.editJob().setCheck(check);
+    m_document.editJob().set(&JobValues::check, check);
     emit checkChanged();
     emit m_document.changed();
     m_history.record(before, m_document.job().values());
@@ -76,7 +76,7 @@ void JobHub::setPart(const std::optional<PartSpec>& part) {
         return;
     m_document.stopOpening();
     const JobValues before = m_document.job().values();
-    m_document.editJob().setPart(part);
+    m_document.editJob().set(&JobValues::part, part);
     emit partChanged();
     emit m_document.changed();
     m_history.record(before, m_document.job().values());

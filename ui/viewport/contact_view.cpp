@@ -8,10 +8,11 @@
 
 namespace proveout {
 
-ContactView::ContactView(const ContactHub& hub, Camera& camera, SceneOptions& options, QWidget& view)
-    : QObject(&view), m_hub(hub), m_camera(camera), m_options(options), m_view(view),
+ContactView::ContactView(const Session& session, Camera& camera, SceneOptions& options, QWidget& view)
+    : QObject(&view), m_hub(session.contact()), m_camera(camera), m_options(options), m_view(view),
       m_flight(camera, [this] { emit moved(); }) {
-    connect(&hub, &ContactHub::changed, this, &ContactView::show);
+    connect(&m_hub, &ContactHub::changed, this, &ContactView::show);
+    connect(&session.navigation(), &NavigationHub::placeRequested, this, &ContactView::lookAt);
 }
 
 void ContactView::follow(const FramePtr& frame) {

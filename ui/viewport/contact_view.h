@@ -5,7 +5,7 @@
 
 #include "core/simulation/run/frame.h"
 #include "ui/gl/scene_options.h"
-#include "ui/session/contact_hub.h"
+#include "ui/session/session.h"
 #include "ui/viewport/camera_flight.h"
 
 class QWidget;
@@ -19,7 +19,7 @@ class ContactView final : public QObject {
 
 public:
     /// All must outlive this object; it sets `options.contact`, and moves the camera.
-    ContactView(const ContactHub& hub, Camera& camera, SceneOptions& options, QWidget& view);
+    ContactView(const Session& session, Camera& camera, SceneOptions& options, QWidget& view);
 
     /// The frame in the view; may be null.
     void follow(const FramePtr& frame);

@@ -36,7 +36,7 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     : QOpenGLWidget(parent), m_session(session), m_detail(new DetailChoice(m_look, *this)),
       m_place(new PointerPlace(session, *this)),
       m_picture(std::make_unique<ScenePicture>(*this, m_look, m_options, support.software)),
-      m_contact(new ContactView(session.contact(), m_camera, m_options, *this)) {
+      m_contact(new ContactView(session, m_camera, m_options, *this)) {
     setFormat(formatFor(support));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -57,7 +57,6 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     connect(&session.playback(), &PlaybackHub::tick, this, &Viewport::onTick);
     connect(m_contact, &ContactView::changed, this, &Viewport::followOptions);
     connect(m_contact, &ContactView::moved, this, &Viewport::moved);
-    connect(&session.navigation(), &NavigationHub::placeRequested, m_contact, &ContactView::lookAt);
     new ToolNotice(session, this);
     new ForeignNotice(session, this);
     followPalette();

@@ -13,6 +13,7 @@
 #include "core/part/part_findings.h"
 #include "core/simulation/run/cutting_findings.h"
 #include "core/simulation/run/simulation.h"
+#include "core/simulation/run/walled_moment.h"
 #include "core/simulation/setup/setup_memory.h"
 #include "core/simulation/time/machine_time.h"
 #include "core/verification/check/cutter_of.h"
@@ -132,8 +133,9 @@ private:
 
     /// Keeping the uncut stock keeps the tiles that will be cut: only where a rule needs them.
     [[nodiscard]] bool needsBegin() const {
-        return m_rules.any(
-            [](const RuleLimits& limits) { return limits.rapidClearance > 0 || limits.holderClearance > 0; });
+        return m_subject.keepsResult || m_rules.any([](const RuleLimits& limits) {
+            return limits.rapidClearance > 0 || limits.holderClearance > 0;
+        });
     }
 
     Result<void> prepareStock() {
@@ -168,7 +170,7 @@ private:
             neededRecords(runOf(simulation, *times, simulation.zmap(), 0), m_rules, m_context));
         simulation.seek(m_program.blockCount(), m_context.part(kTimed, kCut));
         if (!m_context.stopped())
-            judgeRun(simulation, *times);
+            judgeRun(simulation, times);
         m_blocksCut = simulation.effort().blocksCut - cutBefore;
         return {};
     }
@@ -186,11 +188,11 @@ private:
                 .removedMm3 = removedMm3};
     }
 
-    void judgeRun(Simulation& simulation, const MachineTimes& times) {
-        const Frame frame = simulation.frame();
+    void judgeRun(Simulation& simulation, const std::shared_ptr<const MachineTimes>& times) {
+        Frame frame = simulation.frame();
         addAboutSetup(frame.findings);
         addOfBlocks(simulation.findings());
-        const CheckedRun run = runOf(simulation, times, frame.zmap, frame.removedMm3);
+        const CheckedRun run = runOf(simulation, *times, frame.zmap, frame.removedMm3);
         for (BlockSet missing = neededRecords(run, m_rules, m_context); !missing.empty();
              missing = neededRecords(run, m_rules, m_context)) {
             if (!simulation.record(missing, m_context.part(kCut, kRecorded)))
@@ -200,8 +202,37 @@ private:
             addOfRule(finding, unitOf(*finding.row));
         for (const FirstContact& contact : firstContacts(run))
             m_report.firstContacts.push_back({contact, lineOf(contact.block)});
+        if (m_subject.keepsResult)
+            keep(frame, times);
         if (m_subject.part)
             compare(frame, *m_subject.part);
+    }
+
+    [[nodiscard]] std::string specOf(int tool) const {
+        const Cutter* cutter = m_subject.setup->tools.find(tool);
+        return cutter == nullptr ? std::string() : cutter->spec();
+    }
+
+    /// Gives the frame its walls.
+    void keep(Frame& frame, const std::shared_ptr<const MachineTimes>& times) {
+        const bool isShaped = m_subject.setup->shape.kind != StockKind::box;
+        addWalls(frame, isShaped ? &*m_stock->begin : nullptr);
+        auto result = std::make_shared<CheckedResult>();
+        result->stock = frame.zmap;
+        result->removedMm3 = frame.removedMm3;
+        result->times = times;
+        result->machineAssumed = machine() == nullptr;
+        for (std::size_t k = 0; k < m_program.motionCount(); ++k) {
+            const Motion& motion = m_program.motion(k);
+            if (motion.kind == MotionKind::rapid)
+                continue;
+            const int tool = m_tools.tool(motion.tool);
+            auto at = std::ranges::find(result->tools, tool, &CheckedResult::OfTool::tool);
+            if (at == result->tools.end())
+                at = result->tools.insert(at, {tool, specOf(tool), motion.end.z});
+            at->lowestZ = std::min({at->lowestZ, motion.start.z, motion.end.z});
+        }
+        m_report.result = std::move(result);
     }
 
     void compare(const Frame& end, const PartToCompare& with) {

@@ -37,6 +37,7 @@ struct CheckSubject {
     Diagnostics warnings = {};              ///< about the job; they come first in the report
     ToolProposals proposals = {};           ///< the tools as the program's comments describe them
     std::optional<PartToCompare> part = {}; ///< what the stock is compared with; empty: nothing
+    bool keepsResult = false;               ///< CheckReport::result
 };
 
 /// The largest number of bytes that check() needs for it, without the program. Errors: stock, grid.

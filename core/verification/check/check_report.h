@@ -10,6 +10,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
 #include "core/simulation/setup/check_rules.h"
+#include "core/simulation/time/machine_time.h"
 #include "core/verification/part/part_comparison.h"
 #include "core/verification/rules/first_contacts.h"
 #include "core/verification/verdict/verdict.h"
@@ -43,13 +44,28 @@ struct CheckedContact {
     int line = 0;
 };
 
+/// What a run has left, and how long it takes. Immutable once made.
+struct CheckedResult {
+    ZMapSnapshot stock; ///< at the end, with its walls
+    double removedMm3 = 0;
+    std::shared_ptr<const MachineTimes> times;
+    bool machineAssumed = true; ///< the times are those of the default machine
+    struct OfTool {
+        int tool = 0;
+        std::string cutter = {}; ///< its spec; empty: it has none
+        double lowestZ = 0;      ///< of its tip at feed, program coordinates, mm
+    };
+    std::vector<OfTool> tools; ///< those that move at feed, in the order of their first motion
+};
+
 /// The result of a check. Immutable once made, any thread.
 struct CheckReport {
     std::vector<CheckFinding> findings;
     std::size_t ofText = 0; ///< so many of them, the first ones, are of the job and the program text alone
     std::vector<NotChecked> notChecked; ///< what concerns the program
     std::vector<CheckedContact> firstContacts;
-    std::shared_ptr<const PartComparison> part; ///< null: the stock was not compared with a part
+    std::shared_ptr<const CheckedResult> result; ///< null: nobody asked for it
+    std::shared_ptr<const PartComparison> part;  ///< null: the stock was not compared with a part
     /// The program itself is unverified for a reason that is not among the findings, or has no motion.
     bool programUnverified = false;
 

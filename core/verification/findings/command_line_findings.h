@@ -46,6 +46,12 @@ inline constexpr FindingRow kJobOutside{
     ""};
 inline constexpr FindingRow kToolTwice{
     Severity::error, false, "tool-twice", "Duplicate tool", "Tool {} is specified twice.", ""};
+inline constexpr FindingRow kReportOfMany{Severity::error,
+                                          false,
+                                          "report-of-many",
+                                          "Report of several programs",
+                                          "A report is of one program; several are to be checked.",
+                                          "Write one report for each program."};
 inline constexpr FindingRow kNoPart{Severity::error,
                                     false,
                                     "part-missing",
@@ -156,6 +162,7 @@ inline constexpr std::array kCommandLineRows{&kUsage,
                                              &kJobOutside,
                                              &kToolTwice,
                                              &kNoPart,
+                                             &kReportOfMany,
                                              &kStartOutOfRange,
                                              &kCompensationStartUnused,
                                              &kPointForm,
