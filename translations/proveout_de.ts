@@ -8559,14 +8559,6 @@ Vorgabe: 0 mm</translation>
         <translation>{} von {} Punkten an Wänden liegen in der Datei auf Punkten des Rasters: das Raster löst die Wände um sie nicht auf.</translation>
     </message>
     <message>
-        <source>Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 points, more than {} motions of the program are near the walls.</source>
-        <translation>Einige Wände in der Datei liegen auf Punkten des Rasters: in {} von {} Quadraten aus 64 × 64 Punkten sind mehr als {} Bewegungen des Programms nahe an den Wänden.</translation>
-    </message>
-    <message>
-        <source>Use a finer grid: fewer motions are over each square then.</source>
-        <translation>Ein feineres Raster verwenden: dann liegen weniger Bewegungen über jedem Quadrat.</translation>
-    </message>
-    <message>
         <source>Ribs between grid points</source>
         <translation>Stege zwischen Gitterpunkten</translation>
     </message>
@@ -8597,6 +8589,34 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>GLB (glTF 2.0)</source>
         <translation>GLB (glTF 2.0)</translation>
+    </message>
+    <message>
+        <source>Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 points, more than {} motions of the program are near the walls, or the walls of the stock are unknown.</source>
+        <translation>Einige Wände in der Datei liegen auf Punkten des Rasters: in {} von {} Quadraten aus 64 × 64 Punkten sind mehr als {} Bewegungen des Programms nahe an den Wänden, oder die Wände des Rohteils sind unbekannt.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid, so that fewer motions are over each square, or a stock whose walls are known.</source>
+        <translation>Ein feineres Raster verwenden, sodass weniger Bewegungen über jedem Quadrat liegen, oder ein Rohteil, dessen Wände bekannt sind.</translation>
+    </message>
+    <message>
+        <source>Stock walls at grid points</source>
+        <translation>Rohteilwände auf Rasterpunkten</translation>
+    </message>
+    <message>
+        <source>The walls of the saved stock are at grid points: they are known on its own grid, with a spacing of {} × {} mm, and with its own height only.</source>
+        <translation>Die Wände des gespeicherten Rohteils liegen auf Rasterpunkten: sie sind nur auf seinem eigenen Raster mit einem Abstand von {} × {} mm und mit seiner eigenen Höhe bekannt.</translation>
+    </message>
+    <message>
+        <source>Use the spacing and the height of the saved stock to keep its walls.</source>
+        <translation>Den Abstand und die Höhe des gespeicherten Rohteils verwenden, um seine Wände zu behalten.</translation>
+    </message>
+    <message>
+        <source>The walls of the stock mesh are at grid points: more than {} of its triangles, on average, are over one place, too many to find walls between the points.</source>
+        <translation>Die Wände des Rohteilnetzes liegen auf Rasterpunkten: im Mittel liegen mehr als {} seiner Dreiecke über einer Stelle, zu viele, um Wände zwischen den Punkten zu finden.</translation>
+    </message>
+    <message>
+        <source>Export the stock with triangles that are less long and narrow.</source>
+        <translation>Das Rohteil mit weniger langen und schmalen Dreiecken exportieren.</translation>
     </message>
 </context>
 <context>

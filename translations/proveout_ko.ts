@@ -8559,14 +8559,6 @@ Default: 0 mm</source>
         <translation>파일에서 벽 옆의 점 {}개(전체 {}개 중)가 격자점에 놓였습니다. 격자가 주변의 벽을 구분하지 못합니다.</translation>
     </message>
     <message>
-        <source>Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 points, more than {} motions of the program are near the walls.</source>
-        <translation>파일의 일부 벽이 격자점에 놓였습니다. 64 × 64점 정사각형 {}개(전체 {}개 중)에서 프로그램의 이동이 {}개보다 많이 벽 가까이를 지납니다.</translation>
-    </message>
-    <message>
-        <source>Use a finer grid: fewer motions are over each square then.</source>
-        <translation>더 촘촘한 격자를 사용하십시오. 그러면 각 정사각형을 지나는 이동이 줄어듭니다.</translation>
-    </message>
-    <message>
         <source>Ribs between grid points</source>
         <translation>격자점 사이의 리브</translation>
     </message>
@@ -8597,6 +8589,34 @@ Default: 0 mm</source>
     <message>
         <source>GLB (glTF 2.0)</source>
         <translation>GLB (glTF 2.0)</translation>
+    </message>
+    <message>
+        <source>Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 points, more than {} motions of the program are near the walls, or the walls of the stock are unknown.</source>
+        <translation>파일의 일부 벽이 격자점에 놓였습니다. 64 × 64점 정사각형 {}개(전체 {}개 중)에서 프로그램의 이동이 {}개보다 많이 벽 가까이를 지나거나, 소재의 벽이 알려져 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Use a finer grid, so that fewer motions are over each square, or a stock whose walls are known.</source>
+        <translation>각 정사각형을 지나는 이동이 줄어들도록 더 촘촘한 격자를 사용하거나, 벽이 알려진 소재를 사용하십시오.</translation>
+    </message>
+    <message>
+        <source>Stock walls at grid points</source>
+        <translation>소재의 벽이 격자점에 있음</translation>
+    </message>
+    <message>
+        <source>The walls of the saved stock are at grid points: they are known on its own grid, with a spacing of {} × {} mm, and with its own height only.</source>
+        <translation>저장된 소재의 벽이 격자점에 놓였습니다. 벽은 간격 {} × {} mm인 소재 자체의 격자와 소재 자체의 높이에서만 알려져 있습니다.</translation>
+    </message>
+    <message>
+        <source>Use the spacing and the height of the saved stock to keep its walls.</source>
+        <translation>벽을 유지하려면 저장된 소재의 간격과 높이를 사용하십시오.</translation>
+    </message>
+    <message>
+        <source>The walls of the stock mesh are at grid points: more than {} of its triangles, on average, are over one place, too many to find walls between the points.</source>
+        <translation>소재 메시의 벽이 격자점에 놓였습니다. 한 위치에 평균 {}개보다 많은 삼각형이 있어 격자점 사이의 벽을 찾을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Export the stock with triangles that are less long and narrow.</source>
+        <translation>덜 길고 좁은 삼각형으로 소재를 내보내십시오.</translation>
     </message>
 </context>
 <context>

@@ -48,8 +48,10 @@ inline constexpr FindingRow kExportWallsUnknown{
     "export-walls-unknown",
     PROVEOUT_TEXT("Core", "Walls at grid points"),
     PROVEOUT_TEXT("Core", "Some walls in the file are at points of the grid: in {} of {} squares of 64 × 64 "
-                          "points, more than {} motions of the program are near the walls."),
-    PROVEOUT_TEXT("Core", "Use a finer grid: fewer motions are over each square then.")};
+                          "points, more than {} motions of the program are near the walls, or the walls of "
+                          "the stock are unknown."),
+    PROVEOUT_TEXT("Core", "Use a finer grid, so that fewer motions are over each square, or a stock whose "
+                          "walls are known.")};
 inline constexpr FindingRow kExportRibsUnseen{
     Severity::note,
     false,

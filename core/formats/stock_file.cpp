@@ -24,8 +24,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "heights are written as they lie in memory");
 
-/// 2: the position has separate fields. 3: it may have rims; without rims, 2 is written.
-constexpr int kSchema = 3;
+/// 2: the position has separate fields. 3: it may have rims. 4: and unseen ribs and unknown tiles. The least
+/// that suffices is written.
+constexpr int kSchema = 4;
+constexpr int kSchemaOfRims = 3;
 constexpr int kSchemaWithoutRims = 2;
 constexpr const char* kDescription = "stock.json";
 constexpr const char* kHeights = "heights.npy";
@@ -43,14 +45,15 @@ struct Description {
     StockBox stock;
     int nx = 0;
     int ny = 0;
-    int rims = 0;
+    int rims = 0; ///< rimValues()
+    int schema = kSchema;
     double spacing = 1;
     StockProvenance provenance;
 };
 
 std::string textOf(const Description& d) {
     nlohmann::ordered_json out;
-    out["proveoutStock"] = d.rims > 0 ? kSchema : kSchemaWithoutRims;
+    out["proveoutStock"] = d.schema;
     writeStockPosition(out, d.stock);
     out["width"] = d.stock.width;
     out["depth"] = d.stock.depth;
@@ -88,11 +91,10 @@ Result<Description> parse(std::string_view text) {
     JsonComplaints complaints;
     JsonFields fields(*document, complaints);
     Description d;
-    int schema = 0;
     fields.require({"proveoutStock", "width", "depth", "height", "spacing", "nx", "ny"});
-    fields.read("proveoutStock", schema, {1, 1e9});
-    if (schema > kSchema)
-        return failure(stock_finding::kStockNewer, {std::to_string(schema), std::to_string(kSchema)});
+    fields.read("proveoutStock", d.schema, {1, 1e9});
+    if (d.schema > kSchema)
+        return failure(stock_finding::kStockNewer, {std::to_string(d.schema), std::to_string(kSchema)});
     if (const auto position = readStockPosition(fields))
         d.stock.corner = *position;
     else
@@ -127,7 +129,7 @@ Result<Grid> gridOf(const Description& d) {
         return failure(
             stock_finding::kStockGridDiffers,
             {std::to_string(d.nx), std::to_string(d.ny), std::to_string(grid->nx), std::to_string(grid->ny)});
-    if (d.rims / 2.0 > static_cast<double>(grid->nx) * grid->ny) // an edge along each axis begins at a point
+    if (d.rims > mostRimValues(static_cast<double>(grid->nx) * grid->ny))
         return broken(kRimsEntry);
     // Memory for the heights as they are read, in addition to the map that they become.
     const double limit = static_cast<double>(memoryLimitBytes()) - bytesOfRims(std::size_t(d.rims));
@@ -202,12 +204,19 @@ Result<SavedStockFile> readFrom(ZipReader& zip) {
 Result<void> writeStock(const std::filesystem::path& file, const ZMapSnapshot& zmap, double spacing,
                         const StockProvenance& provenance) {
     const Grid& grid = zmap.grid();
-    const std::size_t rims = countOf(zmap.rims());
+    const std::size_t rims = rimValues(zmap.rims());
     const bool hasRims = rims > 0 && rims <= kMostRims;
     std::string text;
     try {
-        text = textOf(
-            {zmap.stock(), grid.nx, grid.ny, hasRims ? static_cast<int>(rims) : 0, spacing, provenance});
+        text = textOf({.stock = zmap.stock(),
+                       .nx = grid.nx,
+                       .ny = grid.ny,
+                       .rims = hasRims ? static_cast<int>(rims) : 0,
+                       .schema = !hasRims                   ? kSchemaWithoutRims
+                                 : areRimsOnly(zmap.rims()) ? kSchemaOfRims
+                                                            : kSchema,
+                       .spacing = spacing,
+                       .provenance = provenance});
     } catch (const nlohmann::json::type_error&) { // the way in which dump() refuses bytes that are not UTF-8
         return failure(stock_finding::kStockNotUtf8, {}, file.string());
     }

@@ -38,7 +38,6 @@ struct SavedStockFile {
 /// against the contents of the file, before anything is allocated. Errors: unreadable, not such a file,
 /// written by a newer Proveout, truncated, checksums, sizes that do not fit each other, heights that are not
 /// numbers or not within the stock, rims that are not in order, on edges of the grid and within the stock.
-/// Tiles whose rims are unknown come back without rims.
 [[nodiscard]] Result<SavedStockFile> readStock(const std::filesystem::path& file);
 
 } // namespace proveout

@@ -19,7 +19,12 @@ namespace {
 constexpr const char* kType = "|V24";
 constexpr std::size_t kPortion = 4096; ///< rims in memory at once besides the map
 
-/// A rim as it lies in the file.
+/// What a value says of its edge: beside the sides of a rim.
+constexpr auto kLastSides = static_cast<std::uint8_t>(RimSides::low);
+constexpr std::uint8_t kUnseenRib = 3;
+constexpr std::uint8_t kUnknownTile = 4;
+
+/// A value as it lies in the file.
 struct FiledRim {
     std::uint32_t tile;
     std::uint16_t edge;
@@ -35,8 +40,16 @@ struct FiledRim {
     [[nodiscard]] Rim rim() const {
         return {edge, highPlace, lowPlace, static_cast<RimSides>(sides), top, bottom, normalX, normalY};
     }
+    [[nodiscard]] bool isRim() const { return sides <= kLastSides; }
+    /// Whether nothing but its edge is given.
+    [[nodiscard]] bool isBare() const {
+        return highPlace == 0 && lowPlace == 0 && top == 0 && bottom == 0 && normalX == 0 && normalY == 0;
+    }
     [[nodiscard]] bool isAfter(const FiledRim& other) const {
-        return std::tie(tile, edge) > std::tie(other.tile, other.edge);
+        const auto order = [](const FiledRim& one) {
+            return std::tuple(one.tile, one.edge, one.isRim() ? kLastSides : one.sides);
+        };
+        return order(*this) > order(other);
     }
 };
 static_assert(sizeof(FiledRim) == 24, "without gaps");
@@ -54,6 +67,21 @@ FiledRim filed(std::size_t tile, const Rim& rim) {
             rim.normalY};
 }
 
+FiledRim filed(std::size_t tile, std::uint16_t edge, std::uint8_t sides) {
+    return {static_cast<std::uint32_t>(tile), edge, 0, 0, sides, 0, 0, 0, 0, 0};
+}
+
+/// In their order.
+void addValues(std::size_t tile, const RimTile& rims, std::vector<FiledRim>& values) {
+    for (const Rim& rim : rims.rims)
+        values.push_back(filed(tile, rim));
+    for (const std::uint16_t edge : rims.unseenRibs)
+        values.push_back(filed(tile, edge, kUnseenRib));
+    if (rims.areUnknown)
+        values.push_back(filed(tile, 0, kUnknownTile));
+    std::ranges::sort(values, [](const FiledRim& a, const FiledRim& b) { return b.isAfter(a); });
+}
+
 std::string headerOf(std::size_t count) {
     return npyHeader(static_cast<int>(count), 1, kType);
 }
@@ -69,14 +97,21 @@ bool isEdgeOf(const ZMapSnapshot& zmap, const FiledRim& rim) {
 }
 
 bool isSound(const ZMapSnapshot& zmap, const FiledRim& rim) {
+    if (rim.unused != 0)
+        return false;
+    if (rim.sides == kUnknownTile)
+        return rim.tile < zmap.tileCount() && rim.edge == 0 && rim.isBare();
+    if (!isEdgeOf(zmap, rim))
+        return false;
+    if (rim.sides == kUnseenRib)
+        return rim.isBare();
     const auto isWithin = [&](float height) { return height >= zmap.floor() && height <= 0; };
     constexpr std::int16_t kNone = std::numeric_limits<std::int16_t>::min(); // turning would not negate it
-    return isEdgeOf(zmap, rim) && isWithin(rim.top) && isWithin(rim.bottom) &&
-           rim.sides <= static_cast<std::uint8_t>(RimSides::low) && rim.unused == 0 && rim.normalX != kNone &&
+    return rim.isRim() && isWithin(rim.top) && isWithin(rim.bottom) && rim.normalX != kNone &&
            rim.normalY != kNone;
 }
 
-/// The tiles of a map, from rims in their order.
+/// The tiles of a map, from values in their order.
 class TilesOfRims {
 public:
     explicit TilesOfRims(std::size_t tiles) : m_rims(tiles) {}
@@ -85,7 +120,12 @@ public:
         if (rim.tile != m_tile)
             close();
         m_tile = rim.tile;
-        m_open.rims.push_back(rim.rim());
+        if (rim.isRim())
+            m_open.rims.push_back(rim.rim());
+        else if (rim.sides == kUnseenRib)
+            m_open.unseenRibs.push_back(rim.edge);
+        else
+            m_open.areUnknown = true;
     }
     [[nodiscard]] RimMap take() {
         close();
@@ -94,9 +134,10 @@ public:
 
 private:
     void close() {
-        if (m_open.rims.empty())
+        if (m_open.empty())
             return;
         m_open.rims.shrink_to_fit();
+        m_open.unseenRibs.shrink_to_fit();
         m_rims.edit(m_tile) = std::make_shared<const RimTile>(std::exchange(m_open, {}));
     }
 
@@ -106,6 +147,18 @@ private:
 };
 
 } // namespace
+
+std::size_t rimValues(const RimMap& rims) {
+    return countOf(rims) + unseenRibs(rims) + unknownTiles(rims);
+}
+
+double mostRimValues(double points) {
+    return 2 * 2 * points + points; // a rim and a rib on both edges from each point, and what is of a tile
+}
+
+bool areRimsOnly(const RimMap& rims) {
+    return unseenRibs(rims) == 0 && unknownTiles(rims) == 0;
+}
 
 double bytesOfRims(std::size_t count) {
     return static_cast<double>(count) * sizeof(FiledRim);
@@ -119,8 +172,7 @@ void writeRims(ZipFile& zip, const RimMap& rims, std::size_t count) {
         if (rims[tile] == nullptr)
             continue;
         portion.clear();
-        for (const Rim& rim : rims[tile]->rims)
-            portion.push_back(filed(tile, rim));
+        addValues(tile, *rims[tile], portion);
         zip.write({reinterpret_cast<const char*>(portion.data()), portion.size() * sizeof(FiledRim)});
     }
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/figures_argument.h"
+#include "core/zmap/map_top.h"
 #include "core/zmap/zmap_findings.h"
 
 namespace proveout {
@@ -84,6 +85,15 @@ Result<GridPart> makeGridPart(const StockBox& stock, double spacing, const PlanB
 ZMap uncutPart(const StockBox& stock, const StockShape& shape, const GridPart& part) {
     const auto* parted = dynamic_cast<const PartedStock*>(shape.body.get());
     return parted == nullptr ? ZMap(part.stock(stock), part.grid()) : parted->uncutPart(stock, part);
+}
+
+std::unique_ptr<StockTop> topOfPart(const StockBox& stock, const StockShape& shape, const GridPart& part) {
+    if (auto top = shape.body->top(stock))
+        return top;
+    ZMapSnapshot map = uncutPart(stock, shape, part).snapshot();
+    if (const auto* parted = dynamic_cast<const PartedStock*>(shape.body.get()))
+        map.setRims(parted->rimsOfPart(stock, part));
+    return std::make_unique<MapTop>(std::move(map));
 }
 
 } // namespace proveout

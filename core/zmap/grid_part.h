@@ -2,6 +2,8 @@
 // A rectangular part of the points of a grid that as a whole may be far too fine for the memory.
 #pragma once
 
+#include <memory>
+
 #include "core/base/index_rect.h"
 #include "core/zmap/stock_shape.h"
 
@@ -58,10 +60,18 @@ public:
 
     /// StockBody::uncut() for some of the points; the map has the stock of the part.
     [[nodiscard]] virtual ZMap uncutPart(const StockBox& stock, const GridPart& part) const = 0;
+    /// The rims of that map, as StockBody::rims().
+    [[nodiscard]] virtual RimMap rimsOfPart(const StockBox& /*stock*/, const GridPart& /*part*/) const {
+        return {};
+    }
 };
 
 /// uncutStock() for some of the points, to the last bit; the map has the box and the grid of the part.
 /// Allocates the memory.
 [[nodiscard]] ZMap uncutPart(const StockBox& stock, const StockShape& shape, const GridPart& part);
+
+/// topOf() for places over the part.
+[[nodiscard]] std::unique_ptr<StockTop> topOfPart(const StockBox& stock, const StockShape& shape,
+                                                  const GridPart& part);
 
 } // namespace proveout

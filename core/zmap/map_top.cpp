@@ -118,15 +118,12 @@ double MapTop::highest(const Vec2& lo, const Vec2& hi) const {
 
 const Rim* MapTop::rimAt(int i, int j, bool alongY) const {
     const auto tile = static_cast<std::size_t>((j / Tile::kSize) * m_map.tilesX() + i / Tile::kSize);
-    return rim(tile, {i % Tile::kSize, j % Tile::kSize, alongY});
+    const RimTilePtr& rims = m_map.rims()[tile];
+    return rims == nullptr ? nullptr : rims->find({i % Tile::kSize, j % Tile::kSize, alongY});
 }
 
-const Rim* MapTop::rim(std::size_t tile, const RimEdge& edge) const {
-    if (!m_hasRims || m_map.rims()[tile] == nullptr)
-        return nullptr;
-    const std::vector<Rim>& rims = m_map.rims()[tile]->rims;
-    const auto found = std::ranges::lower_bound(rims, edge.index(), {}, &Rim::edge);
-    return found != rims.end() && found->edge == edge.index() ? &*found : nullptr;
+const RimTile* MapTop::rims(std::size_t tile) const {
+    return m_map.rims().empty() ? nullptr : m_map.rims()[tile].get();
 }
 
 } // namespace proveout

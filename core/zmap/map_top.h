@@ -19,10 +19,10 @@ public:
     [[nodiscard]] double height(const Vec2& place) const override;
     [[nodiscard]] double highest(const Vec2& lo, const Vec2& hi) const override;
     [[nodiscard]] bool knowsWalls() const override { return false; }
-    [[nodiscard]] const Rim* rim(std::size_t tile, const RimEdge& edge) const override;
+    [[nodiscard]] const RimTile* rims(std::size_t tile) const override;
 
 private:
-    /// Of the edge that begins at a point of the grid.
+    /// Of the edge that begins at a point of the grid; call it if the map has rims.
     [[nodiscard]] const Rim* rimAt(int i, int j, bool alongY) const;
     /// `u`, `v`: the place in cells.
     [[nodiscard]] std::optional<double> heightNearEdge(double u, double v) const;

@@ -269,6 +269,9 @@ public:
             band.lookBeneath(facets, m_upIsOut, m_box.lo.z, offset, beneath);
         });
         report(beneath, uncut.findings);
+        if (top(stock) == nullptr)
+            uncut.findings.push_back(diagnosticOf(stock_body_finding::kStockMeshWalls,
+                                                  {std::to_string(MeshTops::kMostOverPlace)}));
         return uncut;
     }
     [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
@@ -278,6 +281,13 @@ public:
     }
     [[nodiscard]] std::unique_ptr<StockTop> top(const StockBox& stock) const override {
         return m_tops.top(m_mesh, m_box, Vec2(stock.corner - box().corner));
+    }
+    /// Those of a map that is used because there is no top.
+    [[nodiscard]] RimMap rims(const StockBox& stock, const Grid& grid) const override {
+        return top(stock) == nullptr ? unknownRims(tileCountOf(grid)) : RimMap();
+    }
+    [[nodiscard]] RimMap rimsOfPart(const StockBox& stock, const GridPart& part) const override {
+        return rims(stock, part.grid());
     }
 
 private:

@@ -12,9 +12,6 @@ namespace proveout {
 
 namespace {
 
-/// Each triangle costs some 20 ns for each of the hundreds of heights that the wall on one edge needs.
-constexpr double kMostOfBucket = 256;
-
 /// Whether a triangle may be within a box in plan: no line along a side of it is between them.
 bool reaches(const FacetCorners& c, const std::array<Vec2, 4>& box) {
     const double out = areaInPlan(c) > 0 ? 1 : -1;
@@ -84,7 +81,7 @@ private:
 
 std::unique_ptr<StockTop> MeshTops::top(const StockMesh& mesh, const Box3& box, const Vec2& offset) const {
     std::call_once(m_once, [&] { m_index.emplace(mesh, Vec2(box.lo), Vec2(box.hi)); });
-    if (m_index->meanOfBuckets() > kMostOfBucket)
+    if (m_index->meanOfBuckets() > kMostOverPlace)
         return nullptr;
     return std::make_unique<MeshTop>(mesh, *m_index, box.hi.z, offset);
 }

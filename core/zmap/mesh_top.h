@@ -16,8 +16,12 @@ namespace proveout {
 /// map. Any thread.
 class MeshTops {
 public:
+    /// Each triangle costs some 20 ns for each of the hundreds of heights that the wall on one edge needs.
+    static constexpr int kMostOverPlace = 256;
+
     /// The top of `mesh` when it is moved by `offset` in plan; the same mesh each time. `box`: its own.
-    /// Refers to the mesh. Null if long triangles are so many over one place that it would be slow.
+    /// Refers to the mesh. Null if long triangles are so many over one place, more than kMostOverPlace on
+    /// average, that it would be slow.
     [[nodiscard]] std::unique_ptr<StockTop> top(const StockMesh& mesh, const Box3& box,
                                                 const Vec2& offset) const;
 

@@ -68,10 +68,18 @@ inline constexpr std::size_t kMostMotionsOfRims = 32'768;
 /// The rims of a tile, by ascending edges. Immutable once published.
 struct RimTile {
     std::vector<Rim> rims;
-    bool areUnknown = false; ///< too many motions are near its walls: it has no rims
+    /// Some or all are missing: too many motions are near its walls, or walls of the stock are not known.
+    bool areUnknown = false;
     /// RimEdge::index() of the edges, ascending, that a rib crosses unseen: it stands on a level floor
     /// between their two points, which are on the floor.
     std::vector<std::uint16_t> unseenRibs = {};
+
+    [[nodiscard]] bool empty() const { return rims.empty() && !areUnknown && unseenRibs.empty(); }
+    /// Null: there is no rim on that edge.
+    [[nodiscard]] const Rim* find(const RimEdge& edge) const {
+        const auto found = std::ranges::lower_bound(rims, edge.index(), {}, &Rim::edge);
+        return found != rims.end() && found->edge == edge.index() ? &*found : nullptr;
+    }
     friend bool operator==(const RimTile&, const RimTile&) = default;
 };
 using RimTilePtr = std::shared_ptr<const RimTile>;
@@ -80,12 +88,25 @@ using RimTilePtr = std::shared_ptr<const RimTile>;
 /// rims.
 using RimMap = PersistentArray<RimTilePtr>;
 
-/// The number of tiles whose rims are not known.
+/// Rims of which none is known, for so many tiles.
+[[nodiscard]] inline RimMap unknownRims(std::size_t tiles) {
+    return RimMap(tiles, std::make_shared<const RimTile>(RimTile{{}, true}));
+}
+
+/// The number of tiles of which some rims are not known.
 [[nodiscard]] inline std::size_t unknownTiles(const RimMap& rims) {
     std::size_t count = 0;
     for (std::size_t tile = 0; tile < rims.size(); ++tile)
         count += rims[tile] != nullptr && rims[tile]->areUnknown ? 1 : 0;
     return count;
+}
+
+/// Whether there is a rim, a rib, or a tile whose rims are not known.
+[[nodiscard]] inline bool hasAny(const RimMap& rims) {
+    for (std::size_t tile = 0; tile < rims.size(); ++tile)
+        if (rims[tile] != nullptr && !rims[tile]->empty())
+            return true;
+    return false;
 }
 
 /// The number of edges that ribs cross unseen.

@@ -148,7 +148,7 @@ float resampled(const ZMapSnapshot& map, const Neighbours& x, const Neighbours& 
 class SavedStock final : public StockBody, public PartedStock {
 public:
     SavedStock(ZMapSnapshot map, double spacing, Undercut undercut)
-        : m_map(std::move(map)), m_spacing(spacing), m_undercut(undercut) {}
+        : m_map(std::move(map)), m_spacing(spacing), m_undercut(undercut), m_hasWalls(hasAny(m_map.rims())) {}
 
     [[nodiscard]] StockBox box() const override { return m_map.stock(); }
     [[nodiscard]] std::optional<double> spacing() const override { return m_spacing; }
@@ -157,21 +157,36 @@ public:
         Undercut undercut = m_undercut;
         undercut.place += stock.corner - box().corner;
         const Grid& saved = m_map.grid();
-        if (hasGrid(stock, grid))
-            return {sameTiles(m_map, stock, grid), undercut.reported()};
         Diagnostics findings = undercut.reported();
-        const bool finer = isPartOf(saved.nx, grid.nx) && isPartOf(saved.ny, grid.ny);
-        if (!finer)
+        const bool isSame = hasGrid(stock, grid);
+        const bool isFiner = isPartOf(saved.nx, grid.nx) && isPartOf(saved.ny, grid.ny);
+        if (!isSame && !isFiner)
             findings.push_back(resamplingNote(grid));
+        if (m_hasWalls && !hasWallsOn(stock, grid))
+            findings.push_back(diagnosticOf(stock_body_finding::kStockWallsLost,
+                                            {figures("{:.6g}", saved.hx), figures("{:.6g}", saved.hy)}));
+        if (isSame)
+            return {sameTiles(m_map, stock, grid), std::move(findings)};
         return {onOtherGrid(stock, GridPart(grid), grid), std::move(findings)};
     }
     [[nodiscard]] RimMap rims(const StockBox& stock, const Grid& grid) const override {
-        const bool isWhole = std::abs(grid.hx / m_map.grid().hx - 1) < kSameSpacing &&
-                             std::abs(grid.hy / m_map.grid().hy - 1) < kSameSpacing;
-        return isWhole && hasGrid(stock, grid) ? m_map.rims() : RimMap();
+        if (!m_hasWalls)
+            return {};
+        return hasWallsOn(stock, grid) ? m_map.rims() : unknownRims(tileCountOf(grid));
     }
     [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
         return onOtherGrid(part.stock(stock), part, part.grid());
+    }
+    [[nodiscard]] RimMap rimsOfPart(const StockBox& stock, const GridPart& part) const override {
+        if (!m_hasWalls)
+            return {};
+        const Grid& saved = m_map.grid();
+        const int i0 = static_cast<int>(part.firstI);
+        const int j0 = static_cast<int>(part.firstJ);
+        const bool isSame = stock.height == box().height && isSameSpacing(part.hx, saved.hx) &&
+                            isSameSpacing(part.hy, saved.hy);
+        return isSame ? rimsWithin(m_map, {i0, j0, i0 + part.nx, j0 + part.ny})
+                      : unknownRims(tileCountOf(part.grid()));
     }
 
 private:
@@ -181,6 +196,12 @@ private:
         const Grid& saved = m_map.grid();
         return grid.nx == saved.nx && grid.ny == saved.ny && stock.height == box().height;
     }
+    /// Whether its rims are those of that map.
+    [[nodiscard]] bool hasWallsOn(const StockBox& stock, const Grid& grid) const {
+        return hasGrid(stock, grid) && isSameSpacing(grid.hx, m_map.grid().hx) &&
+               isSameSpacing(grid.hy, m_map.grid().hy);
+    }
+    static bool isSameSpacing(double a, double b) { return std::abs(a / b - 1) < kSameSpacing; }
     static bool isPartOf(int savedPoints, int points) { return (points - 1) % (savedPoints - 1) == 0; }
 
     /// `part`: where the points are in a grid over the whole stock.
@@ -210,6 +231,7 @@ private:
     ZMapSnapshot m_map;
     double m_spacing;
     Undercut m_undercut; ///< in the body's own coordinates
+    bool m_hasWalls;     ///< or ribs
 };
 
 } // namespace

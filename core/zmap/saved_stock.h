@@ -11,8 +11,9 @@ namespace proveout {
 /// axis, then turned. Its box keeps its corner.
 ///
 /// Turning loses nothing: the heights are the same to the last bit, and the rims within 1/65536 of an edge;
-/// four quarters give the same bits. After flipping, and on another grid, there are no rims. Flipping puts
-/// the old floor on top and ends the box where the old surface was highest; what had been cut into the old
+/// four quarters give the same bits. After flipping, there are the rims of walls that came down to the old
+/// floor; on another grid, or with another height, rims are unknown, which a note reports. Flipping puts the
+/// old floor on top and ends the box where the old surface was highest; what had been cut into the old
 /// surface is air under the new one, which a z-map cannot represent; it is measured and reported.
 ///
 /// On another grid, whose points do not coincide with the saved ones, the surface is nowhere lower at a saved

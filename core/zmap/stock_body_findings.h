@@ -34,7 +34,24 @@ inline constexpr FindingRow kStockResampled{
                           "lower at its points, between them up to one spacing wider."),
     PROVEOUT_TEXT("Core",
                   "Use the spacing of the saved stock, or a whole fraction of it, to avoid resampling.")};
+inline constexpr FindingRow kStockWallsLost{
+    Severity::note,
+    false,
+    "stock-walls-lost",
+    PROVEOUT_TEXT("Core", "Stock walls at grid points"),
+    PROVEOUT_TEXT("Core", "The walls of the saved stock are at grid points: they are known on its own grid, "
+                          "with a spacing of {} × {} mm, and with its own height only."),
+    PROVEOUT_TEXT("Core", "Use the spacing and the height of the saved stock to keep its walls.")};
+inline constexpr FindingRow kStockMeshWalls{
+    Severity::note,
+    false,
+    "stock-mesh-walls",
+    PROVEOUT_TEXT("Core", "Stock walls at grid points"),
+    PROVEOUT_TEXT("Core", "The walls of the stock mesh are at grid points: more than {} of its triangles, on "
+                          "average, are over one place, too many to find walls between the points."),
+    PROVEOUT_TEXT("Core", "Export the stock with triangles that are less long and narrow.")};
 
-inline constexpr std::array kStockBodyRows{&kStockMeshOpen, &kStockUndercut, &kStockResampled};
+inline constexpr std::array kStockBodyRows{&kStockMeshOpen, &kStockUndercut, &kStockResampled,
+                                           &kStockWallsLost, &kStockMeshWalls};
 
 } // namespace proveout::stock_body_finding

@@ -48,11 +48,9 @@ public:
     [[nodiscard]] virtual double highest(const Vec2& lo, const Vec2& hi) const = 0;
     /// Whether walls are where it says: a map has them somewhere between its points.
     [[nodiscard]] virtual bool knowsWalls() const { return true; }
-    /// The rim of a wall of its own on an edge of the grid, if it does not know all; null: it does not know
-    /// one there. `tile`: index within the grid.
-    [[nodiscard]] virtual const Rim* rim(std::size_t /*tile*/, const RimEdge& /*edge*/) const {
-        return nullptr;
-    }
+    /// What it knows of its walls in a tile of the grid, if it does not know all; null: there are no walls.
+    /// `tile`: index within the grid.
+    [[nodiscard]] virtual const RimTile* rims(std::size_t /*tile*/) const { return nullptr; }
 };
 
 /// Material of any form. Immutable; any thread.
@@ -72,7 +70,7 @@ public:
     /// The top of the body itself rather than of its z-map, in the coordinates of `stock`. Null if the z-map
     /// is as good.
     [[nodiscard]] virtual std::unique_ptr<StockTop> top(const StockBox& /*stock*/) const { return nullptr; }
-    /// The rims of uncut(), as far as they are known; empty: none are, or not on this grid.
+    /// The rims of uncut(), as far as they are known; empty: there are none.
     [[nodiscard]] virtual RimMap rims(const StockBox& /*stock*/, const Grid& /*grid*/) const { return {}; }
 };
 

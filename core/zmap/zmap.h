@@ -37,6 +37,9 @@ struct Tile {
     void updateMaximum();  ///< from those of the blocks
 };
 
+/// The number of tiles over a grid.
+[[nodiscard]] std::size_t tileCountOf(const Grid& grid);
+
 /// The grid points of tile `index`, tiles counted row by row.
 [[nodiscard]] IndexRect tileRectOf(const Grid& grid, std::size_t index);
 

@@ -8,6 +8,11 @@
 
 namespace proveout {
 
+std::size_t tileCountOf(const Grid& grid) {
+    const auto tiles = [](int points) { return (points + Tile::kSize - 1) / Tile::kSize; };
+    return static_cast<std::size_t>(tiles(grid.nx)) * static_cast<std::size_t>(tiles(grid.ny));
+}
+
 IndexRect tileRectOf(const Grid& grid, std::size_t index) {
     const int tilesX = (grid.nx + Tile::kSize - 1) / Tile::kSize;
     const int i0 = static_cast<int>(index % static_cast<std::size_t>(tilesX)) * Tile::kSize;

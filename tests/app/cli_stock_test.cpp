@@ -94,6 +94,28 @@ TEST_F(CliStock, WallsOfAThroughCutAreWhereTheyStandWhenItIsFlipped) {
     }
 }
 
+/// What the map does not show is counted from setup to setup.
+TEST_F(CliStock, RibsThatNoPointSeesAreCountedInTheNextSetup) {
+    write("slots.nc",
+          "T1 M6\nG0 X10 Y10.15 Z5\nG1 Z-2 F100\nX30\nG0 Z5\nX10 Y13.35\nG1 Z-2\nX30\nG0 Z5\nM30\n");
+    const std::string flat = " --tool 1=flat:d=3 --json ";
+    const auto one = run("simulate slots.nc --stock 40x30x10 --grid 0.5 --save-stock one.pvstock" + flat);
+    ASSERT_EQ(one.exitCode, 0) << one.err;
+    EXPECT_GT(one.json()["ribsUnseen"], 40);
+    const auto two =
+        run("simulate above.nc --stock file:file=one.pvstock --stl two.stl --save-stock two.pvstock" + flat);
+    EXPECT_EQ(two.json()["ribsUnseen"], one.json()["ribsUnseen"]);
+    EXPECT_NE(two.out.find("export-ribs-unseen"), std::string::npos);
+    const auto three = run("simulate above.nc --stock file:file=two.pvstock,turn=90" + flat);
+    EXPECT_EQ(three.json()["ribsUnseen"], one.json()["ribsUnseen"]);
+    EXPECT_TRUE(three.json()["findings"].empty()) << three.out;
+    const auto finer = run("simulate above.nc --stock file:file=one.pvstock --grid 0.25 --stl f.stl" + flat);
+    EXPECT_EQ(finer.exitCode, 0) << finer.err;
+    EXPECT_NE(finer.out.find("stock-walls-lost"), std::string::npos);
+    EXPECT_NE(finer.out.find("export-walls-unknown"), std::string::npos);
+    EXPECT_GT(finer.json()["rimTilesUnknown"], 0);
+}
+
 /// Where the walls of a mesh are between the points of the map, its facets say.
 TEST_F(CliStock, WallsOfAMeshCountInWhatIsRemoved) {
     ASSERT_EQ(simulate("cylinder:d=30,h=10", "--grid 0.1 --stl c.stl", "above.nc").exitCode, 0);

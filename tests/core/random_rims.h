@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rims of any kind on some of the edges of a map.
+// Rims of any kind on some of the edges of a map, and ribs on others.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,11 @@ inline RimTilePtr randomRims(std::mt19937& random, const ZMapSnapshot& map, std:
         const RimEdge edge = RimEdge::of(static_cast<std::uint16_t>(index));
         const int i = rect.i0 + edge.i + (edge.alongY ? 0 : 1);
         const int j = rect.j0 + edge.j + (edge.alongY ? 1 : 0);
-        if (edge.i >= rect.width() || edge.j >= rect.height() || i >= map.grid().nx || j >= map.grid().ny ||
-            random() % 5 != 0)
+        if (edge.i >= rect.width() || edge.j >= rect.height() || i >= map.grid().nx || j >= map.grid().ny)
+            continue;
+        if (random() % 20 == 0)
+            rims.unseenRibs.push_back(edge.index());
+        if (random() % 5 != 0)
             continue;
         rims.rims.push_back({edge.index(), static_cast<std::uint16_t>(random()),
                              static_cast<std::uint16_t>(random()), static_cast<RimSides>(random() % 3),

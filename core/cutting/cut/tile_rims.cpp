@@ -257,22 +257,26 @@ RimTilePtr TileRimSearch::find(const StockTop* uncut, const std::stop_token& sto
     if (rims.areUnknown)
         return std::make_shared<const RimTile>(std::move(rims));
     m_sweeps.sort();
+    m_ofStock = uncut == nullptr ? nullptr : uncut->rims(m_index);
     for (const FallingEdge& edge : m_edges) {
         if (stop.stop_requested())
             return nullptr;
         if (const std::optional<Rim> rim = rimOf(edge, uncut))
             rims.rims.push_back(*rim);
     }
-    return rims.rims.empty() ? nullptr : std::make_shared<const RimTile>(std::move(rims));
+    rims.areUnknown = m_missesWalls;
+    return rims.empty() ? nullptr : std::make_shared<const RimTile>(std::move(rims));
 }
 
 std::optional<Rim> TileRimSearch::rimOf(const FallingEdge& edge, const StockTop* uncut) {
     const EdgeLine line = lineBelowPlateau(edge, m_zmap.grid(), m_tile);
-    const Rim* own = uncut == nullptr ? nullptr : uncut->rim(m_index, edge.edge);
+    const Rim* own = m_ofStock == nullptr ? nullptr : m_ofStock->find(edge.edge);
     const bool isOfStock =
         uncut != nullptr && !uncut->knowsWalls() && isUncut(*uncut, line.at(line.length), edge.low);
-    if (isOfStock && own == nullptr)
+    if (isOfStock && own == nullptr) {
+        m_missesWalls = m_missesWalls || (m_ofStock != nullptr && m_ofStock->areUnknown);
         return std::nullopt;
+    }
     const std::vector<const Sweep*> sweeps = m_sweeps.over(edge.edge, areaOf(line));
     const auto found = [&](std::vector<const Sweep*> cut) {
         return rimOn(edge, line, ExactSurface(m_zmap, uncut, std::move(cut)), m_wanted);

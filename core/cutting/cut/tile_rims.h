@@ -40,12 +40,14 @@ private:
     RimEdges m_wanted;
     std::vector<FallingEdge> m_edges;
     NearSweeps m_sweeps;
+    const RimTile* m_ofStock = nullptr; ///< what the stock knows of its own walls, if not all
+    bool m_missesWalls = false;         ///< of the stock
 };
 
 /// The rims of a tile of `zmap` after exactly `motions` have been cut, in any order, from a stock whose top
 /// was `uncut` (null: the whole box). Motions that cannot reach the tile may be left out. Null if there is no
-/// rim, and after a stop; unknown if more than kMostMotionsOfRims motions are near its edges. Any thread. The
-/// result is the same for any order of the motions, to the last bit.
+/// rim, and after a stop; without rims, and unknown, if more than kMostMotionsOfRims motions are near its
+/// edges. Any thread. The result is the same for any order of the motions, to the last bit.
 ///
 /// On each edge that falls more steeply than the one before it (falling_edges.h), the surface first falls
 /// below a line a little lower than the continuation of the plateau at the edge's high end; that place is a
@@ -53,7 +55,8 @@ private:
 /// the edge: passes at several depths make one wall. With RimEdges::atLevels, the creases where a tapered
 /// wall or any other slope leaves a level, or comes down to one, are rims too, each with the side that is
 /// level. Walls of a stock that does not know them (StockTop::knowsWalls()) are those that it has rims of
-/// (StockTop::rim()): the same bits where nothing cut them.
+/// (StockTop::rims()): the same bits where nothing cut them. Where its own rims are unknown and it may have a
+/// wall, so are those of the tile.
 [[nodiscard]] RimTilePtr rimsOfTile(const ZMapSnapshot& zmap, std::size_t tile, const StockTop* uncut,
                                     std::span<const CutterMotion> motions, const std::stop_token& stop = {},
                                     RimEdges wanted = RimEdges::all);

@@ -20,6 +20,8 @@ constexpr float kSameFloor = 1e-4F;
 constexpr double kThinnest = 1e-4;
 /// Of a rib over its floor, as a part of an edge: the least height of a wall.
 constexpr double kLeastHeight = kWallSlope / 2;
+/// Between places of an edge at which a rib of the stock, which may be anywhere on it, is looked for.
+constexpr int kStepsOfEdge = 32;
 
 /// The points of a tile, with one before it and two after it: all cells at its points and the next ones.
 constexpr std::size_t kWide = Tile::kSize + 3;
@@ -46,8 +48,11 @@ PROVEOUT_VECTOR_CLONES bool markLevel(const float* row, const float* next, RowMa
 
 } // namespace
 
-UnseenRibs::UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile)
-    : m_zmap(zmap), m_tile(zmap.tileRect(tile)), m_topZ(zmap.stock().topZ()) {
+UnseenRibs::UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile, const RimTile* ofStock)
+    : m_zmap(zmap), m_tile(zmap.tileRect(tile)), m_ofStock(ofStock), m_topZ(zmap.stock().topZ()) {
+    if (ofStock != nullptr)
+        for (const std::uint16_t edge : ofStock->unseenRibs)
+            addRibOfStock(RimEdge::of(edge));
     const Grid& grid = zmap.grid();
     const IndexRect known =
         intersection({m_tile.i0 - 1, m_tile.j0 - 1, m_tile.i1 + 2, m_tile.j1 + 2}, {0, 0, grid.nx, grid.ny});
@@ -67,6 +72,19 @@ UnseenRibs::UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile)
         for (std::size_t i = 0; i < marks.size(); ++i)
             if (marks[i] != 0)
                 addCell(static_cast<int>(i) - 1, static_cast<int>(j) - 1, double{row[i]});
+    }
+}
+
+void UnseenRibs::addRibOfStock(const RimEdge& edge) {
+    const int i = m_tile.i0 + edge.i;
+    const int j = m_tile.j0 + edge.j;
+    const float floor =
+        std::max(m_zmap.height(i, j), m_zmap.height(i + (edge.alongY ? 0 : 1), j + (edge.alongY ? 1 : 0)));
+    const Vec2 from = placeOf(edge.i, edge.j);
+    for (int step = 0; step <= kStepsOfEdge; ++step) {
+        const Vec2 place = glm::mix(from, endOf(edge), static_cast<double>(step) / kStepsOfEdge);
+        m_suspects[squareOf(edge)].push_back({edge, double{floor}, place, 0}); // how high it is is unknown
+        ++m_count;
     }
 }
 
@@ -92,6 +110,10 @@ std::optional<std::size_t> UnseenRibs::floorAt(double height) const {
 
 Vec2 UnseenRibs::placeOf(int i, int j) const {
     return {m_zmap.grid().x(m_tile.i0 + i), m_zmap.grid().y(m_tile.j0 + j)};
+}
+
+Vec2 UnseenRibs::endOf(const RimEdge& edge) const {
+    return placeOf(edge.i + (edge.alongY ? 0 : 1), edge.j + (edge.alongY ? 1 : 0));
 }
 
 void UnseenRibs::add(const CutterMotion& motion) {
@@ -237,9 +259,11 @@ const UnseenRibs::Floor* UnseenRibs::floorOf(int i, int j) const {
 
 void UnseenRibs::suspect(const Floor& floor, const RimEdge& edge, const StockTop* uncut) {
     const Vec2 from = placeOf(edge.i, edge.j);
-    const Vec2 to = placeOf(edge.i + (edge.alongY ? 0 : 1), edge.j + (edge.alongY ? 1 : 0));
+    const Vec2 to = endOf(edge);
     const double length = glm::distance(from, to);
-    const auto square = static_cast<std::size_t>(edge.j / kPoints * kSquares + edge.i / kPoints);
+    const std::size_t square = squareOf(edge);
+    const bool hadRib =
+        m_ofStock != nullptr && std::ranges::binary_search(m_ofStock->unseenRibs, edge.index());
     std::vector<Span> covered;
     for (const Floor& below : m_floors) {
         if (below.height > floor.height)
@@ -260,7 +284,7 @@ void UnseenRibs::suspect(const Floor& floor, const RimEdge& edge, const StockTop
     for (const Span& span : covered) {
         if (span.lo - end > kThinnest) {
             const Vec2 place = from + (to - from) * ((end + span.lo) / 2 / length);
-            const double top = uncut == nullptr ? 0 : std::min(0.0, uncut->height(place));
+            const double top = uncut == nullptr || hadRib ? 0 : std::min(0.0, uncut->height(place));
             m_suspects[square].push_back({edge, floor.height, place, top});
             ++m_count;
         }

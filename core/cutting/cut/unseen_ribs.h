@@ -22,14 +22,17 @@ namespace proveout {
 /// the floor of the stock, passed over both ends on level motions, but leave a gap between them. Call add()
 /// for each motion that may reach the tile, then suspects(); if there are some, lower() for each motion
 /// again, and then edges(). Thinner than a ten-thousandth of a millimetre, or less than an eighth of an edge
-/// above the higher floor, nothing counts as a rib. Refers to the map. Owned by one thread; the result is the
-/// same for any order of the motions.
+/// above the higher floor, nothing counts as a rib. Ribs that the stock had remain where motions leave
+/// anything at some of 33 places of the edge. Refers to the map. Owned by one thread; the result is the same
+/// for any order of the motions.
 class UnseenRibs {
 public:
-    UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile);
+    /// `ofStock`: what the stock knows of the tile (StockTop::rims()), whose unseen ribs count; null:
+    /// nothing.
+    UnseenRibs(const ZMapSnapshot& zmap, std::size_t tile, const RimTile* ofStock = nullptr);
 
-    /// Whether there are none, whatever was cut: the tile has no level floor.
-    [[nodiscard]] bool hasNone() const { return m_floors.empty(); }
+    /// Whether there are none, whatever was cut: the tile has no level floor, and the stock had none.
+    [[nodiscard]] bool hasNone() const { return m_floors.empty() && m_count == 0; }
     void add(const CutterMotion& motion);
     /// Whether some edges may have ribs. `uncut`: the top of the stock; null: the whole box.
     [[nodiscard]] bool suspects(const StockTop* uncut);
@@ -67,6 +70,7 @@ private:
         double height; ///< of what stands there
     };
 
+    void addRibOfStock(const RimEdge& edge);
     /// By its first point.
     void addCell(int i, int j, double height);
     [[nodiscard]] std::optional<std::size_t> floorAt(double height) const;
@@ -75,6 +79,11 @@ private:
     void suspectRow(int j, bool alongY, const StockTop* uncut);
     void cover(Floor& floor, const FlatPass& pass) const;
     void suspect(const Floor& floor, const RimEdge& edge, const StockTop* uncut);
+    /// The other point of an edge.
+    [[nodiscard]] Vec2 endOf(const RimEdge& edge) const;
+    [[nodiscard]] static std::size_t squareOf(const RimEdge& edge) {
+        return static_cast<std::size_t>(edge.j / kPoints * kSquares + edge.i / kPoints);
+    }
     /// Calls `visit(square)` for the squares whose edges an area may meet.
     template<class Visit>
     void eachSquare(const PlanArea& area, const Visit& visit) const;
@@ -85,6 +94,7 @@ private:
 
     const ZMapSnapshot& m_zmap;
     IndexRect m_tile;
+    const RimTile* m_ofStock;
     double m_topZ;
     const Cutter* m_cutter = nullptr; ///< of the last motion
     std::optional<CutterEnd> m_end;   ///< its end

@@ -82,8 +82,10 @@ void RimFinder::makeWalls(ZMapSnapshot& zmap, const RimMap& rims) {
 
 void RimFinder::restart(const Frame& moment) {
     const ZMapSnapshot& zmap = moment.zmap;
-    const bool isBox = moment.setup->shape.body == nullptr;
-    m_uncut = isBox ? nullptr : topOf(zmap.stock(), moment.setup->shape, zmap.grid());
+    const StockShape& shape = moment.setup->shape;
+    m_uncut = shape.body == nullptr ? nullptr
+              : m_part              ? topOfPart(moment.setup->stock, shape, *m_part)
+                                    : topOf(zmap.stock(), shape, zmap.grid());
     m_index = MotionIndex(zmap.stock(), zmap.grid());
     m_rims = RimMap(zmap.tileCount());
     m_rimsOfWalls = {};
@@ -176,7 +178,7 @@ RimTilePtr RimFinder::rimsOf(const ZMapSnapshot& zmap, std::size_t tile, std::si
     if (stop.stop_requested() || isUncutBox)
         return nullptr;
     TileRimSearch search(zmap, tile, RimEdges::atLevels);
-    UnseenRibs ribs(zmap, tile);
+    UnseenRibs ribs(zmap, tile, m_uncut == nullptr ? nullptr : m_uncut->rims(tile));
     const auto eachMotion = [&](const auto& visit) {
         for (const Program::MotionRange& range : ranges)
             for (std::size_t first = range.first; first < range.last && !search.isFull();

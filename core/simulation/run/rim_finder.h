@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/work_context.h"
@@ -13,6 +14,7 @@
 #include "core/simulation/run/motion_index.h"
 #include "core/simulation/setup/setup.h"
 #include "core/simulation/setup/tool_choice.h"
+#include "core/zmap/grid_part.h"
 #include "core/zmap/stock_shape.h"
 #include "core/zmap/zmap.h"
 
@@ -27,6 +29,10 @@ struct Frame;
 /// that of the simulation; works on tiles in parallel inside.
 class RimFinder {
 public:
+    RimFinder() = default;
+    /// For moments whose map is this part of the stock of their setup.
+    explicit RimFinder(const GridPart& part) : m_part(part) {}
+
     /// The z-map of a moment, with its rims and walls; without them if it was stopped. Tiles with the same
     /// walls as in the last result keep their pointers. Tiles that were found before a stop count for the
     /// next call.
@@ -59,6 +65,7 @@ private:
     void makeWalls(ZMapSnapshot& zmap, const RimMap& rims);
     void adopt(std::size_t tile, RimTilePtr rims, std::size_t end);
 
+    std::optional<GridPart> m_part;           ///< nothing: the maps are of the whole stock
     std::shared_ptr<const Setup> m_setup;     ///< of the last moment; null: there was none
     std::unique_ptr<const StockTop> m_uncut;  ///< null: the whole box
     std::shared_ptr<const Program> m_program; ///< that of the index

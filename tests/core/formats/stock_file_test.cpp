@@ -195,7 +195,7 @@ TEST_F(StockFile, WhatDoesNotFitIsRefused) {
               {"heights.npy", good}});
     EXPECT_EQ(idOf(file), "stock-grid-differs");
     writeZip({{"stock.json", description("\"width\":4,\"depth\":3,\"height\":2", "\"nx\":5,\"ny\":4",
-                                         "\"proveoutStock\":4")},
+                                         "\"proveoutStock\":5")},
               {"heights.npy", good}});
     EXPECT_EQ(idOf(file), "stock-newer");
     for (const char* size :

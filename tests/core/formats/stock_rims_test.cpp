@@ -60,12 +60,23 @@ protected:
         bytes = with(bytes, 4, std::uint16_t{3});
         return with(bytes, 16, -1.0F);
     }
+    /// On the same edge.
+    static std::string aRib() { return with(with(std::string(24, '\0'), 4, std::uint16_t{3}), 10, '\3'); }
+    static std::string anUnknownTile() { return with(std::string(24, '\0'), 10, '\4'); }
 };
 
 TEST_F(StockRims, ComeBackToTheLastBit) {
     for (int k = 0; k < roundsOf(6); ++k) {
         ZMapSnapshot map = mapOf({{-7, 3, 1}, 60.0 + 40 * k, 150.0 - 20 * k, 7});
-        map.setRims(randomRims(random, map));
+        RimMap rims = randomRims(random, map);
+        for (std::size_t tile = 0; tile < map.tileCount(); ++tile) {
+            if (random() % 2 == 0)
+                continue;
+            RimTile unknown = rims[tile] == nullptr ? RimTile() : *rims[tile];
+            unknown.areUnknown = true;
+            rims.edit(tile) = std::make_shared<const RimTile>(std::move(unknown));
+        }
+        map.setRims(rims);
         ASSERT_TRUE(writeStock(file, map, 1, {}));
         const auto read = readStock(file);
         ASSERT_TRUE(read) << message(read.error().front());
@@ -76,14 +87,35 @@ TEST_F(StockRims, ComeBackToTheLastBit) {
     }
 }
 
+/// The least that the file needs, so that an older Proveout reads it if it can.
+TEST_F(StockRims, TheFormatIsTheOldestThatHasAll) {
+    ZMapSnapshot map = mapOf({{0, 0, 0}, 80, 30, 7});
+    const auto schemaOf = [&](const RimTile& tile) {
+        RimMap rims(map.tileCount());
+        rims.edit(1) = std::make_shared<const RimTile>(tile);
+        map.setRims(std::move(rims));
+        EXPECT_TRUE(writeStock(file, map, 1, {}));
+        const auto read = readStock(file);
+        EXPECT_TRUE(read && (tile.empty() || sameRims(read->zmap.rims(), map.rims())));
+        ZipReader zip;
+        EXPECT_TRUE(zip.open(file) && zip.nextEntry() == "stock.json");
+        std::string text(4096, '\0');
+        text.resize(zip.read(text.data(), text.size()));
+        return text.substr(0, text.find(','));
+    };
+    const Rim rim{RimEdge{3, 2, true}.index(), 5, 5, RimSides::both, 0, -1, 0, 32767};
+    EXPECT_NE(schemaOf({}).find(": 2"), std::string::npos);
+    EXPECT_NE(schemaOf({{rim}}).find(": 3"), std::string::npos);
+    EXPECT_NE(schemaOf({{rim}, false, {rim.edge}}).find(": 4"), std::string::npos);
+    EXPECT_NE(schemaOf({{}, true}).find(": 4"), std::string::npos);
+}
+
 TEST_F(StockRims, WithoutThemTheFileIsAsBefore) {
     ZMapSnapshot map = mapOf({{0, 0, 0}, 80, 30, 7});
     ASSERT_TRUE(writeStock(file, map, 1, {}));
     const std::string before = readFile(file).value();
     EXPECT_TRUE(readStock(file)->zmap.rims().empty());
-    RimMap none(map.tileCount());
-    none.edit(1) = std::make_shared<const RimTile>(RimTile{{}, true});
-    map.setRims(none);
+    map.setRims(RimMap(map.tileCount()));
     ASSERT_TRUE(writeStock(file, map, 1, {}));
     EXPECT_EQ(readFile(file).value(), before);
 }
@@ -105,6 +137,10 @@ TEST_F(StockRims, WhatIsNoRimOfTheStockIsRefused) {
     EXPECT_EQ(idOf(), "");
     put(good + with(good, 4, std::uint16_t{4}), 2);
     EXPECT_EQ(idOf(), "");
+    put(good + aRib(), 2, "4");
+    EXPECT_EQ(idOf(), "");
+    put(anUnknownTile() + aRib(), 2, "4");
+    EXPECT_EQ(idOf(), "");
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     const std::vector<std::pair<const char*, std::string>> bad{
         {"tile", with(good, 0, std::uint32_t{1})},
@@ -113,7 +149,17 @@ TEST_F(StockRims, WhatIsNoRimOfTheStockIsRefused) {
         {"edge beyond the last row", with(good, 4, std::uint16_t{(3 * 64) * 2 + 1})},
         {"edge outside", with(good, 4, std::uint16_t{2 * 5 + 1})},
         {"edge of no tile", with(good, 4, std::uint16_t{0xffff})},
-        {"sides", with(good, 10, std::uint8_t{3})},
+        {"sides", with(good, 10, std::uint8_t{5})},
+        {"rib with a height", with(good, 10, std::uint8_t{3})},
+        {"rib with a place", with(aRib(), 6, std::uint16_t{1})},
+        {"rib with a normal", with(aRib(), 22, std::int16_t{1})},
+        {"rib with a height that is none", with(aRib(), 12, kNaN)},
+        {"rib of no tile", with(aRib(), 0, std::uint32_t{1})},
+        {"rib on no edge", with(aRib(), 4, std::uint16_t{2 * 4})},
+        {"rib, unused", with(aRib(), 11, std::uint8_t{1})},
+        {"unknown tile with a height", with(good, 10, std::uint8_t{4})},
+        {"unknown tile with an edge", with(anUnknownTile(), 4, std::uint16_t{3})},
+        {"unknown tile that is none", with(anUnknownTile(), 0, std::uint32_t{1})},
         {"unused", with(good, 11, std::uint8_t{1})},
         {"high top", with(good, 12, 0.01F)},
         {"no top", with(good, 12, kNaN)},
@@ -130,15 +176,17 @@ TEST_F(StockRims, WhatIsNoRimOfTheStockIsRefused) {
 TEST_F(StockRims, WhatIsNotInOrderOrNotAsManyIsRefused) {
     const std::string good = aRim();
     const std::string next = with(good, 4, std::uint16_t{4});
-    for (const std::string& bytes : {next + good, good + good, good, good + next + "x", good + next + next}) {
+    for (const std::string& bytes :
+         {next + good, good + good, good, good + next + "x", good + next + next, aRib() + good,
+          aRib() + aRib(), good + anUnknownTile(), anUnknownTile() + anUnknownTile()}) {
         put(bytes, 2);
         EXPECT_EQ(idOf(), "stock-file-broken");
     }
-    put(good, 41); // more than the edges of 20 points
+    put(good, 101); // more than the edges of 20 points have
     EXPECT_EQ(idOf(), "stock-file-broken");
     put(good, 3'000'000'000);
     EXPECT_EQ(idOf(), "job-field");
-    put(good, 1, "4");
+    put(good, 1, "5");
     EXPECT_EQ(idOf(), "stock-newer");
 }
 

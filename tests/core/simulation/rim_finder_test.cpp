@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <stop_token>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -72,12 +74,17 @@ std::vector<RimTilePtr> rimsByDefinition(const Simulation& simulation, const pro
     return rims;
 }
 
+/// Without its ribs, which other tests look for.
+RimTile withoutRibs(const RimTilePtr& tile) {
+    RimTile rims = tile == nullptr ? RimTile() : *tile;
+    rims.unseenRibs.clear();
+    return rims;
+}
+
 std::size_t differentTiles(const RimMap& rims, const std::vector<RimTilePtr>& wanted) {
     std::size_t different = rims.size() == wanted.size() ? 0 : wanted.size();
-    for (std::size_t tile = 0; different < wanted.size() && tile < wanted.size(); ++tile) {
-        const bool both = rims[tile] != nullptr && wanted[tile] != nullptr;
-        different += (both ? *rims[tile] == *wanted[tile] : rims[tile] == wanted[tile]) ? 0 : 1;
-    }
+    for (std::size_t tile = 0; different < wanted.size() && tile < wanted.size(); ++tile)
+        different += withoutRibs(rims[tile]) == withoutRibs(wanted[tile]) ? 0 : 1;
     return different;
 }
 
@@ -193,6 +200,80 @@ TEST_F(RimFinderOf, FindsThoseOfSavedStock) {
         wanted.push_back(saved.rims()[tile]);
     EXPECT_EQ(differentTiles(uncut, wanted), 0U);
     compareOnAnyPath(setup);
+}
+
+/// A setup in what another one has left.
+std::shared_ptr<proveout::Setup> setupIn(const ZMapSnapshot& saved, const proveout::Setup& before,
+                                         StockTurn turn = StockTurn::none) {
+    auto setup = std::make_shared<proveout::Setup>(before);
+    setup->shape.kind = StockKind::saved;
+    setup->shape.body = savedStock(saved, before.spacing, turn).value();
+    setup->stock = setup->shape.body->box();
+    return setup;
+}
+
+/// Nobody knows how high they are: until everything between their points is cut, they are there.
+TEST_F(RimFinderOf, KeepsUnseenRibsOfSavedStockUntilTheyAreCut) {
+    const auto before = toolsSetup(0.5);
+    const auto ribsAfter = [&](const std::string& text, const std::shared_ptr<const proveout::Setup>& setup) {
+        const auto simulation = started(programOf(text), setup);
+        simulation->seek(simulation->blockCount());
+        const ZMapSnapshot map = RimFinder().find(simulation->frame());
+        return std::pair(unseenRibs(map.rims()), map);
+    };
+    // Two slots of 3 mm, and 0.2 mm between them: from y = 11.65 to 11.85.
+    const auto [ribs, saved] = ribsAfter(
+        "T2 M6\nG0 X10 Y10.15 Z5\nG1 Z-2 F100\nX30\nG0 Z5\nX10 Y13.35\nG1 Z-2\nX30\nG0 Z5\n", before);
+    EXPECT_GT(ribs, 40U);
+    for (const StockTurn turn : {StockTurn::none, StockTurn::quarter, StockTurn::half})
+        EXPECT_EQ(ribsAfter("G0 X0\n", setupIn(saved, *before, turn)).first, ribs);
+    const auto setup = setupIn(saved, *before);
+    EXPECT_EQ(ribsAfter("T2 M6\nG0 X10 Y11.7 Z5\nG1 Z-1.5 F100\nX30\n", setup).first, ribs) << "above";
+    const std::size_t half = ribsAfter("T2 M6\nG0 X5 Y11.7 Z5\nG1 Z-2 F100\nX18.6\n", setup).first;
+    EXPECT_GT(half, ribs / 3);
+    EXPECT_LT(half, ribs * 2 / 3);
+    EXPECT_EQ(ribsAfter("T2 M6\nG0 X5 Y11.7 Z5\nG1 Z-2 F100\nX35\n", setup).first, 0U);
+    // Deeper slots leave them again.
+    EXPECT_GE(
+        ribsAfter("T2 M6\nG0 X10 Y10.15 Z5\nG1 Z-3 F100\nX30\nG0 Z5\nX10 Y13.35\nG1 Z-3\nX30\n", setup).first,
+        ribs);
+    // And another setup after that.
+    const ZMapSnapshot again = ribsAfter("G0 X0\n", setup).second;
+    EXPECT_EQ(ribsAfter("G0 X0\n", setupIn(again, *before)).first, ribs);
+}
+
+/// Where nothing stands, nothing is missing.
+TEST_F(RimFinderOf, UnknownTilesOfSavedStockRemainUnknownWhereTheyHaveWalls) {
+    const auto before = toolsSetup(0.5); // 2 × 1 tiles; the slot is in the first one
+    const auto first = started(programOf("T2 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX20\n"), before);
+    first->seek(first->blockCount());
+    ZMapSnapshot saved = RimFinder().find(first->frame());
+    saved.setRims(unknownRims(saved.tileCount()));
+    const auto setup = setupIn(saved, *before);
+    const auto simulation = started(programOf("T2 M6\nG0 X30 Y25 Z5\nG1 Z-1 F100\nX35\n"), setup);
+    simulation->seek(simulation->blockCount());
+    const RimMap rims = RimFinder().find(simulation->frame()).rims();
+    EXPECT_EQ(unknownTiles(rims), 1U);
+    EXPECT_TRUE(rims[0]->areUnknown);
+    EXPECT_GT(countOf(rims), 0U) << "those of the new slot are known";
+    // On another grid too.
+    setup->spacing = 0.25;
+    const auto finer = started(programOf("G0 X0\n"), setup);
+    EXPECT_GT(unknownTiles(RimFinder().find(finer->frame()).rims()), 0U);
+}
+
+/// So many long triangles over one place that they have no index.
+TEST_F(RimFinderOf, WallsOfAFanOfTrianglesAreUnknown) {
+    const auto setup = toolsSetup(0.5);
+    setup->shape.kind = StockKind::mesh;
+    setup->shape.body = meshStock(roundBody(15, 10, 40'000)).value();
+    setup->stock = setup->shape.body->box();
+    const auto simulation = started(programOf("G0 X0\n"), setup);
+    const ZMapSnapshot map = RimFinder().find(simulation->frame());
+    EXPECT_EQ(unknownTiles(map.rims()), map.tileCount());
+    const Diagnostics findings = simulation->frame().findings;
+    EXPECT_TRUE(std::ranges::any_of(
+        findings, [](const Diagnostic& finding) { return finding.id == std::string("stock-mesh-walls"); }));
 }
 
 TEST_F(RimFinderOf, TilesAwayFromTheCutKeepTheirPointers) {

@@ -2,8 +2,11 @@
 // Rims of saved stock, as they come with it.
 #include "core/zmap/turned_rims.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "core/zmap/map_top.h"
 #include "core/zmap/saved_stock.h"
@@ -42,6 +45,7 @@ protected:
 TEST_F(TurnedRims, FourQuartersGiveTheSameBits) {
     const ZMapSnapshot map = randomMap();
     EXPECT_GT(countOf(map.rims()), 1000U);
+    EXPECT_GT(unseenRibs(map.rims()), 200U);
     ZMapSnapshot quarters = map;
     for (const StockTurn turn :
          {StockTurn::quarter, StockTurn::half, StockTurn::threeQuarters, StockTurn::none}) {
@@ -70,7 +74,8 @@ TEST_F(TurnedRims, AreAtTheSamePlacesOfThePart) {
             const int oldJ = grid.nx - 1 - i - (edge.alongY ? 0 : 1);
             const auto oldTile =
                 static_cast<std::size_t>(oldJ / Tile::kSize * map.tilesX() + oldI / Tile::kSize);
-            const Rim* before = top.rim(oldTile, {oldI % Tile::kSize, oldJ % Tile::kSize, !edge.alongY});
+            const Rim* before =
+                top.rims(oldTile)->find({oldI % Tile::kSize, oldJ % Tile::kSize, !edge.alongY});
             ASSERT_NE(before, nullptr);
             EXPECT_NEAR(rim.fraction(true), edge.alongY ? before->fraction(true) : 1 - before->fraction(true),
                         1.0 / 65536);
@@ -119,16 +124,72 @@ TEST_F(TurnedRims, AreThoseOfThroughWallsAfterAFlip) {
     }
 }
 
-TEST_F(TurnedRims, AreNoneOnAnotherGrid) {
+/// Of what is unknown of a tile, the points are in others then.
+TEST_F(TurnedRims, UnknownTilesMakeAllUnknownThatHaveTheirPoints) {
+    ZMapSnapshot map = randomMap(); // 168 × 102 points
+    RimMap rims(map.tileCount());
+    rims.edit(2) =
+        std::make_shared<const RimTile>(RimTile{{}, true}); // the last 40 columns of the first rows
+    map.setRims(rims);
+    const auto unknown = [](const ZMapSnapshot& turned) {
+        std::vector<std::size_t> tiles;
+        for (std::size_t tile = 0; tile < turned.tileCount(); ++tile)
+            if (turned.rims()[tile] != nullptr && turned.rims()[tile]->areUnknown)
+                tiles.push_back(tile);
+        return tiles;
+    };
+    EXPECT_EQ(unknown(turned(map, StockTurn::none)), (std::vector<std::size_t>{2}));
+    EXPECT_EQ(unknown(turned(map, StockTurn::half)), (std::vector<std::size_t>{0, 3}));
+    EXPECT_EQ(unknown(turned(map, StockTurn::quarter)), (std::vector<std::size_t>{4, 5}));
+}
+
+/// Between floors that are the old one, a rib stands on the new one as well.
+TEST_F(TurnedRims, RibsBetweenThroughCutsRemainAfterAFlip) {
+    const StockBox stock{{0, 0, 0}, 20, 10, 5};
+    ZMap zmap(stock, makeGrid(stock, 1).value());
+    for (int i = 5; i < 10; ++i) {
+        zmap.tileForWriting(0).at(i, 3) = zmap.floor();
+        zmap.tileForWriting(0).at(i, 4) = -3;
+    }
+    ZMapSnapshot map = zmap.snapshot();
+    map.setRims(RimMap(1, std::make_shared<const RimTile>(RimTile{
+                              {}, false, {RimEdge{7, 3, false}.index(), RimEdge{7, 4, false}.index()}})));
+    const auto body = savedStock(map, 1, StockTurn::none, StockFlip::aboutX).value();
+    const RimMap after = body->rims(body->box(), makeGrid(body->box(), 1).value());
+    ASSERT_NE(after[0], nullptr);
+    EXPECT_EQ(after[0]->unseenRibs, (std::vector<std::uint16_t>{RimEdge{7, 7, false}.index()}));
+}
+
+TEST_F(TurnedRims, AreUnknownOnAnotherGrid) {
     const ZMapSnapshot map = randomMap();
     const auto body = savedStock(map, 0.9).value();
-    EXPECT_TRUE(body->rims(body->box(), makeGrid(body->box(), 0.45).value()).empty());
+    const auto expectUnknown = [&](const StockBox& box, double spacing) {
+        const Grid grid = makeGrid(box, spacing).value();
+        const RimMap rims = body->rims(box, grid);
+        EXPECT_EQ(countOf(rims), 0U);
+        EXPECT_EQ(unknownTiles(rims), tileCountOf(grid));
+        const Diagnostics findings = body->uncut(box, grid).findings;
+        EXPECT_TRUE(std::ranges::any_of(findings, [](const Diagnostic& finding) {
+            return finding.id == std::string("stock-walls-lost");
+        }));
+    };
+    expectUnknown(body->box(), 0.45);
     StockBox higher = body->box();
     higher.height += 1;
-    EXPECT_TRUE(body->rims(higher, makeGrid(higher, 0.9).value()).empty());
+    expectUnknown(higher, 0.9);
     StockBox moved = body->box();
     moved.corner += Vec3(100.3, -20, 5);
     EXPECT_TRUE(sameRims(body->rims(moved, makeGrid(moved, 0.9).value()), map.rims()));
+    EXPECT_TRUE(body->uncut(moved, makeGrid(moved, 0.9).value()).findings.empty());
+}
+
+TEST_F(TurnedRims, ThatAreNoneAreNotMissed) {
+    ZMapSnapshot map = randomMap();
+    map.setRims({});
+    const auto body = savedStock(map, 0.9).value();
+    const Grid finer = makeGrid(body->box(), 0.45).value();
+    EXPECT_TRUE(body->rims(body->box(), finer).empty());
+    EXPECT_TRUE(body->uncut(body->box(), finer).findings.empty());
 }
 
 TEST_F(TurnedRims, TheTopIsAStepAtThem) {
