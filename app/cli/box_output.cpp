@@ -89,10 +89,13 @@ Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
     return {};
 }
 
-void BoxOutput::run(const Program& program, const Setup& setup, std::size_t blocks, Report& report) {
+void BoxOutput::run(const std::shared_ptr<const Program>& program, const std::shared_ptr<const Setup>& setup,
+                    std::size_t blocks, bool hasWalls, Report& report) {
     if (!wanted())
         return;
-    m_fine = *cutBox(program, setup, blocks, m_part); // always completes, because nothing stops it
+    m_fine = *cutBox(*program, *setup, blocks, m_part); // always completes, because nothing stops it
+    if (hasWalls)
+        (void)addWalls(m_fine, program, setup); // so does this
     if (!m_heights.empty())
         if (auto written = writeZMap(m_heights, m_fine.zmap); !written)
             report.addFatal(std::move(written.error()));
@@ -102,14 +105,32 @@ void BoxOutput::run(const Program& program, const Setup& setup, std::size_t bloc
 
 void BoxOutput::writeStl(Report& report) {
     const DecimationParameters parameters = fineParameters(m_spacing);
-    SolidForExport solid(m_fine.zmap,
-                         closeSolid(m_fine.zmap, decimatedWhole(m_fine.zmap, parameters).releaseTriangles()),
-                         errorLevel(parameters));
+    SolidForExport solid = closed(parameters);
     auto exported = exportSolid(m_stl, *findFormat("stl")->meshWriter(), solid, parameters);
     if (!exported)
         return report.addFatal(std::move(exported.error()));
     report.add(exported->warnings);
     m_exported = std::move(*exported);
+}
+
+SolidForExport BoxOutput::closed(const DecimationParameters& parameters) {
+    const std::size_t wallPoints = m_fine.zmap.walls().count();
+    const ErrorLevel level = errorLevel(parameters);
+    if (wallPoints > 0) {
+        if (auto walled =
+                closeWithWalls(m_fine.zmap, decimatedWhole(m_fine.zmap, parameters).releaseTriangles(),
+                               parameters, CoordinateType::float32)) {
+            SolidForExport solid(m_fine.zmap, std::move(*walled), level, CoordinateType::float32);
+            solid.setWallPoints(wallPoints);
+            return solid;
+        }
+        m_fine.zmap.setWalls({});
+    }
+    SolidForExport solid(m_fine.zmap,
+                         closeSolid(m_fine.zmap, decimatedWhole(m_fine.zmap, parameters).releaseTriangles()),
+                         level);
+    solid.setWallPoints(wallPoints);
+    return solid;
 }
 
 nlohmann::ordered_json BoxOutput::object() const {
@@ -121,6 +142,11 @@ nlohmann::ordered_json BoxOutput::object() const {
                                {"block", m_fine.block},
                                {"motions", m_fine.motions},
                                {"seconds", m_fine.seconds}};
+    if (const RimMap& rims = m_fine.zmap.rims(); !rims.empty()) {
+        out["rims"] = countOf(rims);
+        out["rimTilesUnknown"] = unknownTiles(rims);
+        out["ribsUnseen"] = unseenRibs(rims);
+    }
     if (m_exported)
         out["stl"] = {{"triangles", m_exported->file.triangles},
                       {"bytes", m_exported->file.bytes},

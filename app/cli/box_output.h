@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,9 +32,10 @@ public:
     /// The memory that the region needs; call check() first.
     [[nodiscard]] double bytes() const;
 
-    /// Cuts the region after the first `blocks` blocks, and writes its files; call check() first. Warnings
-    /// and errors are added to the report.
-    void run(const Program& program, const Setup& setup, std::size_t blocks, Report& report);
+    /// Cuts the region after the first `blocks` blocks, with its walls where they stand if `hasWalls`, and
+    /// writes its files; call check() first. Warnings and errors are added to the report.
+    void run(const std::shared_ptr<const Program>& program, const std::shared_ptr<const Setup>& setup,
+             std::size_t blocks, bool hasWalls, Report& report);
 
     [[nodiscard]] nlohmann::ordered_json object() const;
     void print() const;
@@ -41,6 +43,7 @@ public:
 private:
     [[nodiscard]] MapOutputs mapOutputs() const;
     void writeStl(Report& report);
+    [[nodiscard]] SolidForExport closed(const DecimationParameters& parameters);
 
     std::string m_box;
     std::string m_stl;

@@ -78,7 +78,7 @@ public:
         if (!prepare() || !simulate())
             return failed();
         writeMaps();
-        m_options.box.run(*m_program, m_job.setup, m_frame.block, m_report);
+        m_options.box.run(m_program, m_frame.setup, m_frame.block, m_options.rims == "on", m_report);
         m_seconds.box = lap();
         findRims();
         saveStock();

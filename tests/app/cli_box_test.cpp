@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <filesystem>
 #include <gmock/gmock.h>
 
 #include "core/formats/npy.h"
+#include "core/formats/stl.h"
 #include "tests/app/command_line.h"
+#include "tests/core/decimation/closed_mesh.h"
 
 namespace proveout {
 namespace {
@@ -44,6 +47,27 @@ TEST_F(CliBox, HasTheHeightsOfTheWholeStockOnItsGrid) {
                                ? 1
                                : 0;
     EXPECT_EQ(differences, 0);
+}
+
+/// A slot through a box whose sides are at points of the grid, and the slot's are not.
+TEST_F(CliBox, HasWallsWhereTheyStand) {
+    write("slot.nc", "T1 M6\nS1000 M3\nG0 X2 Y10.1 Z5\nG1 Z-3 F300\nX38\nG0 Z5\nM30\n");
+    const auto box = [&](const std::string& more) {
+        const auto done =
+            run("simulate slot.nc --json --tool 1=flat:d=4.3,l=20 --box 15,5,25,20 --box-spacing 0.5 "
+                "--box-stl box.stl" +
+                kStock + more);
+        EXPECT_EQ(done.exitCode, 0) << done.err;
+        return done.json()["box"];
+    };
+    const double exact = 10 * 15 * 10 - 3 * 10 * 4.3;
+    const auto beside = [&] {
+        return std::abs(test::signedVolume(readStl(folder.path() / "box.stl").value()) - exact);
+    };
+    EXPECT_GT(box("")["rims"], 40);
+    EXPECT_LT(beside(), 1e-5 * exact);
+    EXPECT_FALSE(box(" --rims off").contains("rims"));
+    EXPECT_GT(beside(), 1e-3 * exact);
 }
 
 TEST_F(CliBox, GoesAsFarAsTheRun) {

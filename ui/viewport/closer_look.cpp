@@ -18,7 +18,8 @@ namespace {
 /// During playback, or while a slider is dragged, only the block where it pauses is cut.
 constexpr int kPause = 120; // ms
 constexpr int kAtOnce = 0;
-constexpr double kCutPart = 0.6;    ///< share of the whole work
+constexpr double kCutPart = 0.5;    ///< share of the whole work
+constexpr double kWallPart = 0.7;   ///< where walls are found as well
 constexpr double kLeastStep = 0.02; ///< smallest change of progress that is reported
 
 /// Exceptions are caught here, because they must not leave the thread.
@@ -45,8 +46,8 @@ Result<FramePtr> closerFrame(const Frame& frame, const BoxOfInterest& box, const
         fineGrid(*frame.setup, box, parameters, {.schedule = false, .whole = true}, availableBytes);
     if (!part)
         return tl::unexpected(part.error());
-    const auto fine = cutBox(*frame.program, *frame.setup, frame.block, *part, context.part(0, kCutPart));
-    if (!fine)
+    auto fine = cutBox(*frame.program, *frame.setup, frame.block, *part, context.part(0, kCutPart));
+    if (!fine || !addWalls(*fine, frame.program, frame.setup, context.part(kCutPart, kWallPart)))
         return FramePtr();
     auto picture = std::make_shared<Frame>();
     picture->block = frame.block;
@@ -54,7 +55,7 @@ Result<FramePtr> closerFrame(const Frame& frame, const BoxOfInterest& box, const
     picture->setup = frame.setup;
     picture->parameters = parameters;
     picture->zmap = fine->zmap;
-    picture->surface = decimatedWhole(fine->zmap, parameters, context.part(kCutPart, 1));
+    picture->surface = decimatedWhole(fine->zmap, parameters, context.part(kWallPart, 1));
     picture->level = parameters.level;
     if (context.stopped())
         return FramePtr();

@@ -14,6 +14,8 @@
 #include "core/cutting/cut/cut_part.h"
 #include "core/simulation/records/detail_findings.h"
 #include "core/simulation/run/block_cutter.h"
+#include "core/simulation/run/frame.h"
+#include "core/simulation/run/rim_finder.h"
 #include "core/simulation/setup/tool_choice.h"
 #include "core/zmap/zmap_findings.h"
 
@@ -165,10 +167,27 @@ std::optional<FineMap> cutBox(const Program& program, const Setup& setup, std::s
     FineMap fine;
     fine.zmap = cropped(zmap.snapshot(), static_cast<int>(part.firstI - place.firstI),
                         static_cast<int>(part.firstJ - place.firstJ), part.stock(setup.stock), part.grid());
+    fine.part = part;
     fine.block = last;
     fine.motions = *motions;
     fine.seconds = watch.seconds();
     return fine;
+}
+
+bool addWalls(FineMap& fine, const std::shared_ptr<const Program>& program,
+              const std::shared_ptr<const Setup>& setup, const WorkContext& context) {
+    const StopWatch watch;
+    Frame moment;
+    moment.block = fine.block;
+    moment.program = program;
+    moment.setup = setup;
+    moment.zmap = fine.zmap;
+    ZMapSnapshot walled = RimFinder(fine.part).find(moment, context);
+    if (context.stopped())
+        return false;
+    fine.zmap = std::move(walled);
+    fine.seconds += watch.seconds();
+    return true;
 }
 
 } // namespace proveout

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 #include "core/base/work_context.h"
@@ -24,6 +25,7 @@ struct BoxOfInterest {
 /// The stock within a box after the first `block` blocks.
 struct FineMap {
     ZMapSnapshot zmap; ///< of the part alone: its stock is the box, from the top to the floor of the whole
+    GridPart part;
     std::size_t block = 0;
     std::size_t motions = 0; ///< number of motions that come near the box, below the top of the stock
     double seconds = 0;      ///< wall time
@@ -48,5 +50,11 @@ struct FineMap {
 /// Any thread.
 [[nodiscard]] std::optional<FineMap> cutBox(const Program& program, const Setup& setup, std::size_t blocks,
                                             const GridPart& part, const WorkContext& context = {});
+
+/// Gives a map its rims and walls, after the same blocks of the same program; false if it was stopped. They
+/// are those of a simulation of the whole stock at this spacing, but for the outermost two cells, where the
+/// points beyond the box are unknown. Any thread.
+[[nodiscard]] bool addWalls(FineMap& fine, const std::shared_ptr<const Program>& program,
+                            const std::shared_ptr<const Setup>& setup, const WorkContext& context = {});
 
 } // namespace proveout

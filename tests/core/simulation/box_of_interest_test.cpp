@@ -6,9 +6,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
 #include <oneapi/tbb/global_control.h>
 #include <random>
+#include <tuple>
+#include <vector>
 
+#include "core/simulation/run/rim_finder.h"
 #include "core/simulation/run/simulation.h"
 #include "core/zmap/extruded_stock.h"
 #include "core/zmap/mesh_stock.h"
@@ -138,6 +142,102 @@ TEST(BoxOfInterest, HasTheHeightsOfTheWholeStockOnTheFineGrid) {
     }
 }
 
+/// By the points of its edge in the whole grid.
+using RimsOfGrid = std::map<std::tuple<int, int, bool>, Rim>;
+
+/// Those on edges between points from (2, 2) to the last but two of a part, which is at `firstI`, `firstJ`.
+RimsOfGrid rimsInside(const ZMapSnapshot& map, const IndexRect& part, int firstI, int firstJ) {
+    RimsOfGrid rims;
+    for (std::size_t tile = 0; tile < map.tileCount(); ++tile) {
+        const IndexRect rect = map.tileRect(tile);
+        for (const Rim& rim : map.rims()[tile] == nullptr ? std::vector<Rim>() : map.rims()[tile]->rims) {
+            const RimEdge edge = RimEdge::of(rim.edge);
+            const int i = rect.i0 + edge.i + firstI;
+            const int j = rect.j0 + edge.j + firstJ;
+            if (i >= part.i0 + 2 && j >= part.j0 + 2 && i < part.i1 - 3 && j < part.j1 - 3)
+                rims[{i, j, edge.alongY}] = rim;
+        }
+    }
+    return rims;
+}
+
+/// The number of rims that one has and the other has not, or at another place.
+std::size_t differences(const RimsOfGrid& one, const RimsOfGrid& other) {
+    std::size_t count = 0;
+    for (const auto& [edge, rim] : one) {
+        const auto found = other.find(edge);
+        const bool isSame = found != other.end() && std::abs(rim.highPlace - found->second.highPlace) <= 1 &&
+                            std::abs(rim.lowPlace - found->second.lowPlace) <= 1 &&
+                            rim.top == found->second.top && rim.bottom == found->second.bottom &&
+                            glm::distance(rim.normal(), found->second.normal()) < 1e-3;
+        count += isSame ? 0 : 1;
+    }
+    return count;
+}
+
+TEST(BoxOfInterest, HasTheWallsOfTheWholeStockOnTheFineGrid) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    std::size_t seen = 0;
+    std::size_t walls = 0;
+    for (auto& setup : setupsOfAllKinds(random)) {
+        setup.tools.set(1, parseCutter("flat:d=4").value());
+        setup.spacing = kFine;
+        const auto shared = std::make_shared<const proveout::Setup>(setup);
+        const auto program = programOf(randomProgram(random(), 80));
+        const std::size_t blocks = 1 + random() % program->blockCount();
+        auto simulation = Simulation::create(program, shared, undecimated()).value();
+        simulation->seek(blocks);
+        const ZMapSnapshot whole = RimFinder().find(simulation->frame());
+        for (int k = 0; k < 6; ++k) {
+            const BoxOfInterest box = randomBox(setup.stock, random);
+            const GridPart place = partOf(setup, box);
+            FineMap fine = cutBox(*program, setup, blocks, place).value();
+            EXPECT_TRUE(fine.zmap.rims().empty());
+            ASSERT_TRUE(addWalls(fine, program, shared));
+            SCOPED_TRACE(fmt::format("kind {}, block {}, X{}…{} Y{}…{}", static_cast<int>(setup.shape.kind),
+                                     blocks, box.box.lo.x, box.box.hi.x, box.box.lo.y, box.box.hi.y));
+            const int firstI = static_cast<int>(place.firstI);
+            const int firstJ = static_cast<int>(place.firstJ);
+            const IndexRect part{firstI, firstJ, firstI + place.nx, firstJ + place.ny};
+            const RimsOfGrid wanted = rimsInside(whole, part, 0, 0);
+            const RimsOfGrid found = rimsInside(fine.zmap, part, firstI, firstJ);
+            EXPECT_EQ(differences(wanted, found), 0U);
+            EXPECT_EQ(found.size(), wanted.size());
+            walls += fine.zmap.walls().count();
+            seen += wanted.size();
+        }
+    }
+    EXPECT_GT(seen, 1000U);
+    EXPECT_GT(walls, 1000U);
+}
+
+/// On the grid of a saved stock, its own walls are those that were saved.
+TEST(BoxOfInterest, HasTheWallsOfSavedStock) {
+    const auto first = setupWithTool(1, "flat:d=4");
+    const auto slot = programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX35 Y21\nG0 Z5\n");
+    auto simulation = Simulation::create(slot, first, undecimated()).value();
+    simulation->seek(slot->blockCount());
+    const ZMapSnapshot saved = RimFinder().find(simulation->frame());
+    auto setup = std::make_shared<proveout::Setup>(*first);
+    setup->shape.kind = StockKind::saved;
+    setup->shape.body = savedStock(saved, setup->spacing).value();
+    const auto nothing = programOf("G0 X0\n");
+    const auto boxOf = [&](double spacing) {
+        FineMap fine = cutBox(*nothing, *setup, 1, partOf(*setup, {{{3, 3}, {38, 27}}, spacing})).value();
+        EXPECT_TRUE(addWalls(fine, nothing, setup));
+        return fine;
+    };
+    const IndexRect part{6, 6, 77, 55};
+    const RimsOfGrid wanted = rimsInside(saved, part, 0, 0);
+    EXPECT_GT(wanted.size(), 50U);
+    const FineMap same = boxOf(0.5);
+    EXPECT_EQ(differences(wanted, rimsInside(same.zmap, part, 6, 6)), 0U);
+    EXPECT_EQ(unknownTiles(same.zmap.rims()), 0U);
+    EXPECT_GT(unknownTiles(boxOf(0.2).zmap.rims()), 0U);
+}
+
 TEST(BoxOfInterest, IsTheSameOnOneThread) {
     const auto program = programOf(randomProgram(7, 80));
     const auto setup = *smallSetup();
@@ -166,6 +266,8 @@ TEST(BoxOfInterest, StopsWhenAsked) {
     std::stop_source source;
     source.request_stop();
     EXPECT_FALSE(cutBox(*program, *setup, program->blockCount(), place, {source.get_token(), {}}));
+    FineMap uncut = cutBox(*program, *setup, 0, place).value();
+    EXPECT_FALSE(addWalls(uncut, program, setup, {source.get_token(), {}}));
 }
 
 TEST(BoxOfInterest, ReportsHowFarItIs) {

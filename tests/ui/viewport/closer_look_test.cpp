@@ -62,6 +62,7 @@ class CloserLookTest : public QObject {
 private slots:
     void init();
     void equalsTheWholeStockOnThatGrid();
+    void showsWallsWhereTheyStand();
     void showsTheMomentThatIsFollowed();
     void dropsWhatWasCutForAnotherMoment();
     void anotherProgramOrSetupIsAnotherMoment();
@@ -107,6 +108,18 @@ void CloserLookTest::equalsTheWholeStockOnThatGrid() {
     QVERIFY(cut > 1000 && cut < grid.nx * grid.ny);
     QVERIFY(box->surface.faces > 0 && box->surface.faces < box->surface.facesFull);
     QCOMPARE(box->surface.dirtyRegions, std::size_t{0});
+}
+
+void CloserLookTest::showsWallsWhereTheyStand() {
+    auto flat = std::make_shared<Setup>(*m_setup);
+    flat->tools.set(1, parseCutter("flat:d=4.06").value());
+    const auto frame = frameAt(m_program, flat, 4); // a slot along Y5, at 1 mm
+    const FramePtr box = closerFrame(*frame, {{{4, 4}, {9, 9}}, kFine}, {}, kPlenty).value();
+    QVERIFY(box->zmap.walls().count() > 100);
+    const WallPoint* wall = box->zmap.walls().find(50, 60); // at Y7, beside the wall at Y7.03
+    QVERIFY(wall != nullptr);
+    QVERIFY(wall->isUpright);
+    QVERIFY(std::abs(vertexAt(box->zmap, 50, 60).y - 7.03) < 1e-4);
 }
 
 void CloserLookTest::showsTheMomentThatIsFollowed() {
