@@ -59,7 +59,7 @@ void BoxOutput::addTo(CLI::App& command) {
 
 MapOutputs BoxOutput::mapOutputs() const {
     const bool solid = !m_stl.empty();
-    return {.schedule = false, .whole = solid, .solid = solid};
+    return {.schedule = false, .whole = solid, .solid = solid, .walls = m_hasWalls};
 }
 
 double BoxOutput::bytes() const {
@@ -70,9 +70,10 @@ std::vector<Output> BoxOutput::outputs() const {
     return {{m_stl}, {m_heights, m_checked ? heightsBytes(m_part.nx, m_part.ny) : 0}};
 }
 
-Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
+Result<void> BoxOutput::check(const Setup& setup, bool hasWalls, double heldBytes) {
     if (!wanted())
         return {};
+    m_hasWalls = hasWalls;
     auto box = parseBox(m_box);
     if (!box)
         return aboutOption("--box", std::move(box.error()));
@@ -90,11 +91,11 @@ Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
 }
 
 void BoxOutput::run(const std::shared_ptr<const Program>& program, const std::shared_ptr<const Setup>& setup,
-                    std::size_t blocks, bool hasWalls, Report& report) {
+                    std::size_t blocks, Report& report) {
     if (!wanted())
         return;
     m_fine = *cutBox(*program, *setup, blocks, m_part); // always completes, because nothing stops it
-    if (hasWalls)
+    if (m_hasWalls)
         (void)addWalls(m_fine, program, setup); // so does this
     if (!m_heights.empty())
         if (auto written = writeZMap(m_heights, m_fine.zmap); !written)

@@ -27,15 +27,15 @@ public:
     /// Its files; their sizes are known after check().
     [[nodiscard]] std::vector<Output> outputs() const;
     /// Refuses a region that cannot be cut, or needs more memory than is available besides `heldBytes`,
-    /// before anything is cut.
-    [[nodiscard]] Result<void> check(const Setup& setup, double heldBytes);
+    /// before anything is cut. `hasWalls`: it gets its walls where they stand.
+    [[nodiscard]] Result<void> check(const Setup& setup, bool hasWalls, double heldBytes);
     /// The memory that the region needs; call check() first.
     [[nodiscard]] double bytes() const;
 
-    /// Cuts the region after the first `blocks` blocks, with its walls where they stand if `hasWalls`, and
-    /// writes its files; call check() first. Warnings and errors are added to the report.
+    /// Cuts the region after the first `blocks` blocks, and writes its files; call check() first. Warnings
+    /// and errors are added to the report.
     void run(const std::shared_ptr<const Program>& program, const std::shared_ptr<const Setup>& setup,
-             std::size_t blocks, bool hasWalls, Report& report);
+             std::size_t blocks, Report& report);
 
     [[nodiscard]] nlohmann::ordered_json object() const;
     void print() const;
@@ -52,6 +52,7 @@ private:
 
     GridPart m_part;
     bool m_checked = false; ///< m_part is set
+    bool m_hasWalls = false;
     FineMap m_fine;
     std::optional<ExportedSolid> m_exported;
 };

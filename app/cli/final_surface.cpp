@@ -81,8 +81,8 @@ bool FinalSurface::makeWatched(const ZMapSnapshot& zmap, const Order& order, con
     const WorkContext context{memory ? memory->stop() : std::stop_token(), {}};
     m_surface = decimate(context);
     m_decimationSeconds += watch.seconds();
-    if (!fits &&
-        (memory->exceeded() || surfaceBytes(zmap.grid(), m_surface->faces, order.outputs) > availableBytes()))
+    if (!fits && (memory->exceeded() || surfaceBytes(zmap.grid(), m_surface->faces, countOf(zmap.rims()),
+                                                     order.outputs) > availableBytes()))
         return false;
     if (order.measured)
         m_measured = measure(*m_surface, zmap, order.job.parameters);

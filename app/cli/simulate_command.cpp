@@ -78,7 +78,7 @@ public:
         if (!prepare() || !simulate())
             return failed();
         writeMaps();
-        m_options.box.run(m_program, m_frame.setup, m_frame.block, m_options.rims == "on", m_report);
+        m_options.box.run(m_program, m_frame.setup, m_frame.block, m_report);
         m_seconds.box = lap();
         findRims();
         saveStock();
@@ -175,7 +175,7 @@ private:
 
     bool checkGrid() {
         return fine(m_options.setup.checkGrid(m_job, mapOutputs())) &&
-               fine(m_options.box.check(m_job.setup, heldBytes() + m_programMemory.held));
+               fine(m_options.box.check(m_job.setup, hasRims(), heldBytes() + m_programMemory.held));
     }
 
     /// The memory of the z-map and its meshes that is still in use when the region is cut.
@@ -201,6 +201,7 @@ private:
                 .shaped = isShaped(),
                 .whole = !full && (solid || m_options.json),
                 .solid = solid,
+                .walls = hasWalls(),
                 .again = !m_options.provenance.empty(),
                 .watched = true};
     }
@@ -305,8 +306,9 @@ private:
     /// The other methods are those of the paper, and need a plain z-map.
     [[nodiscard]] bool hasWalls() const {
         const bool certified = m_job.parameters.method == DecimationMethod::certified;
-        return m_options.rims == "on" && (certified || m_options.mesh == "full");
+        return hasRims() && (certified || m_options.mesh == "full");
     }
+    [[nodiscard]] bool hasRims() const { return m_options.rims == "on"; }
 
     void findRims() {
         if (hasWalls())

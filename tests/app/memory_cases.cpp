@@ -79,6 +79,20 @@ void addRecordsAndBoxes(std::vector<MemoryCase>& cases) {
                                          "--box-spacing 0.02 --box-stl b.stl")});
 }
 
+/// Maps with many walls between their points.
+void addWalled(std::vector<MemoryCase>& cases) {
+    for (const char* grid : {"0.2", "0.1"})
+        for (const char* more : {"", "--mesh full", "--stl a.stl", "--mesh full --stl a.stl"})
+            cases.push_back({simulate("fins.nc", fmt::format("--grid {} {}", grid, more)),
+                             std::string(grid) == "0.2" && std::string(more).ends_with("a.stl")});
+    cases.push_back({simulate("fins.nc", "--grid 0.1 --save-stock a.pvstock")});
+    const std::string pits = "simulate pits.nc --stock 41x41x4 --tool 1=flat:d=0.25,l=4 --json --grid 0.1 ";
+    cases.push_back({pits + "--stl a.stl"});
+    cases.push_back({pits + "--mesh full --stl a.stl", true});
+    cases.push_back(
+        {simulate("fins.nc", "--grid 1 --box 40,40,60,60 --box-spacing 0.04 --box-stl a.stl"), true});
+}
+
 /// Maps from which nothing can be removed, and maps whose solids consist mostly of walls and pinched
 /// vertices.
 void addHardMaps(std::vector<MemoryCase>& cases) {
@@ -100,6 +114,7 @@ std::vector<MemoryCase> allCases() {
     addFullMeshes(cases);
     addDecimated(cases);
     addRecordsAndBoxes(cases);
+    addWalled(cases);
     addHardMaps(cases);
     return cases;
 }
@@ -118,6 +133,24 @@ std::string manyHoles() {
     for (int j = 0; j < 10; ++j)
         for (int i = 0; i < 10; ++i)
             blocks += throughHole(9.5 * i + 6, 9.5 * j + 6);
+    return blocks;
+}
+
+/// Slots aslant with walls of a millimetre between them.
+std::string fins() {
+    std::string blocks;
+    for (int k = -2; k < 14; ++k)
+        blocks += fmt::format("G0 Z5\nX-5 Y{0:.3f}\nG1 Z-{1}\nX105 Y{2:.3f}\n", 7.07 * k, 10 + k % 3,
+                              7.07 * k + 13.1);
+    return blocks;
+}
+
+/// A pattern of which each hole has more walls between points than points.
+std::string pits() {
+    std::string blocks;
+    for (int k = 0; k < 10'000; ++k)
+        blocks += fmt::format("G0 X{:.3f} Y{:.3f}\nG1 Z-3\nG0 Z1\n", 0.5 + 0.4 * (k % 100) + 0.013 * (k % 7),
+                              0.5 + 0.4 * (k / 100) + 0.017 * (k % 5));
     return blocks;
 }
 
@@ -154,6 +187,8 @@ void writeMemoryInputs(const std::filesystem::path& folder) {
         writeProgram(folder / ("hole" + file + ".nc"), shifted + throughHole(x0 + 50, x0 + 50), x0);
     }
     writeProgram(folder / "round.nc", pocket);
+    writeProgram(folder / "fins.nc", fins());
+    writeProgram(folder / "pits.nc", pits());
     writeProgram(folder / "sieve.nc", pocket + manyHoles());
 
     constexpr int kPoints = 701;

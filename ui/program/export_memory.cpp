@@ -18,7 +18,8 @@ namespace proveout {
 
 namespace {
 
-constexpr MapOutputs kOutputs{.schedule = false, .whole = true, .solid = true, .watched = true};
+constexpr MapOutputs kOutputs{
+    .schedule = false, .whole = true, .solid = true, .walls = true, .watched = true};
 
 double worstBytes(const Grid& grid, const DecimationParameters& parameters) {
     return static_cast<double>(grid.nx) * grid.ny * meshBytesPerPoint(parameters, kOutputs);
@@ -60,8 +61,8 @@ Result<void> ExportMemory::check() const {
 bool ExportMemory::isExceeded(std::size_t triangles) const {
     const auto needs = [&] {
         const double ofList = static_cast<double>(triangles * sizeof(LatticeTriangle)); // resident already
-        return static_cast<double>(residentMemoryBytes()) + surfaceBytes(m_zmap.grid(), triangles, kOutputs) -
-               ofList;
+        return static_cast<double>(residentMemoryBytes()) +
+               surfaceBytes(m_zmap.grid(), triangles, countOf(m_zmap.rims()), kOutputs) - ofList;
     };
     return m_watch && (m_watch->exceeded() || needs() > m_most);
 }

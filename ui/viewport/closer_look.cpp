@@ -42,8 +42,8 @@ bool sameMoment(const Frame& a, const Frame& b) {
 Result<FramePtr> closerFrame(const Frame& frame, const BoxOfInterest& box, const WorkContext& context,
                              double availableBytes) {
     const DecimationParameters parameters = fineParameters(box.spacing);
-    const auto part =
-        fineGrid(*frame.setup, box, parameters, {.schedule = false, .whole = true}, availableBytes);
+    const auto part = fineGrid(*frame.setup, box, parameters,
+                               {.schedule = false, .whole = true, .walls = true}, availableBytes);
     if (!part)
         return tl::unexpected(part.error());
     auto fine = cutBox(*frame.program, *frame.setup, frame.block, *part, context.part(0, kCutPart));

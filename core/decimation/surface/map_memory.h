@@ -17,6 +17,7 @@ struct MapOutputs {
     bool shaped = false;  ///< the uncut stock is not a box: its map is kept, for a restart
     bool whole = false;   ///< the whole map is decimated at the end (decimatedWhole()) and measured
     bool solid = false;   ///< the decimated or else the full mesh, closed and written to files
+    bool walls = false;   ///< the map gets its rims and walls
     bool again = false;   ///< the map is kept uncut, and cut a second time with a mark per point
     /// Whoever decimates watches the memory of the triangles (MemoryWatch, surfaceBytes()), so that it need
     /// not be there in advance: triangles are only known when they are made, and machined parts need a tenth
@@ -25,15 +26,17 @@ struct MapOutputs {
 };
 
 /// Bytes per point of the grid that the meshes need at most, even if no triangle can be removed and the
-/// surface comes down to the floor everywhere.
+/// surface comes down to the floor everywhere. Walls: as many as the closest pattern of holes has.
 [[nodiscard]] double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
 
-/// The same of what is taken whatever the surface looks like: without the triangles that are watched.
+/// The same of what is taken whatever the surface looks like: without the triangles that are watched, and
+/// without rims, which are known before a surface is closed with them.
 [[nodiscard]] double certainBytesPerPoint(const DecimationParameters& parameters, MapOutputs outputs);
 
-/// Bytes for measuring a surface that exists already, of so many triangles, and, if a solid is wanted,
-/// closing it.
-[[nodiscard]] double surfaceBytes(const Grid& grid, std::size_t faces, const MapOutputs& outputs);
+/// Bytes for measuring a surface that exists already, of so many triangles over a map with so many rims, and,
+/// if a solid is wanted, closing it.
+[[nodiscard]] double surfaceBytes(const Grid& grid, std::size_t faces, std::size_t rims,
+                                  const MapOutputs& outputs);
 
 /// The same for the meshes that remain once everything is made.
 [[nodiscard]] double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);

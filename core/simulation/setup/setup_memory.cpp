@@ -4,7 +4,7 @@
 namespace proveout {
 
 MapOutputs simulationOutputs(const Setup& setup, bool shown) {
-    return {.shown = shown, .shaped = setup.shape.kind != StockKind::box, .watched = true};
+    return {.shown = shown, .shaped = setup.shape.kind != StockKind::box, .walls = shown, .watched = true};
 }
 
 MemoryForecast memoryForecast(const Setup& setup, const Grid& grid, const DecimationParameters& parameters,

@@ -48,18 +48,16 @@ private slots:
         QCOMPARE(refused.error().front().id, "export-needs-too-much-memory");
         DecimationParameters none = frame.parameters;
         none.method = DecimationMethod::none;
-        const double needed =
-            41 * 21 * meshBytesPerPoint(none, {.schedule = false, .whole = true, .solid = true});
+        constexpr MapOutputs kOutputs{.schedule = false, .whole = true, .solid = true, .walls = true};
+        constexpr double kPoints = 41 * 21;
+        const double needed = kPoints * certainBytesPerPoint(none, kOutputs);
         QVERIFY2(sentence(refused.error().front()).contains(QString::fromStdString(readableBytes(needed))),
                  qPrintable(sentence(refused.error().front())));
         QVERIFY(sentence(refused.error().front()).contains(QLatin1String("20 kB")));
         QVERIFY(!hint(refused.error().front()).isEmpty());
         QVERIFY(!QFile::exists(file));
-        QVERIFY(exportFrame(frame, file, full, {}, needed));
-        QVERIFY(exportFrame(
-            frame, file, {}, {},
-            41 * 21 *
-                meshBytesPerPoint(frame.parameters, {.schedule = false, .whole = true, .solid = true})));
+        QVERIFY(exportFrame(frame, file, full, {}, kPoints * meshBytesPerPoint(none, kOutputs)));
+        QVERIFY(exportFrame(frame, file, {}, {}, kPoints * meshBytesPerPoint(frame.parameters, kOutputs)));
     }
 
     void theTrianglesOfADecimatedSurfaceAreWatchedInsteadOfRequired() {
