@@ -36,7 +36,7 @@ std::optional<WallPlace> CellWalls::sharp(int corner) const {
     if (!meeting || !isBetween(*meeting, Vec2(0), m_around.cell(), m_around.cell() * slack()) ||
         !isOfPair(corner, *meeting))
         return std::nullopt;
-    return ifLevel(corner, placeOf(corner, {*meeting, Vec2(0)}));
+    return ifBeside(corner, placeOf(corner, {*meeting, Vec2(0)}));
 }
 
 std::optional<WallPlace> CellWalls::oppositeOfCut(int corner) const {
@@ -50,7 +50,7 @@ std::optional<WallPlace> CellWalls::oppositeOfCut(int corner) const {
     b.at -= from;
     OnWall wall = onWall(a, b);
     wall.at += from;
-    return ifLevel(corner, placeOf(corner, wall));
+    return ifBeside(corner, placeOf(corner, wall));
 }
 
 void CellWalls::look(std::size_t edge) {
@@ -117,12 +117,21 @@ double CellWalls::slack() const {
 }
 
 WallPlace CellWalls::placeOf(int corner, const OnWall& wall) const {
-    return {wall.at - offsetOf(corner), heightBeside(m_crossings[0], m_crossings[1]), wall.normal,
-            m_crossings[0].isUpright && m_crossings[1].isUpright};
+    return {wall.at - offsetOf(corner),
+            heightBeside(m_crossings[0], m_crossings[1]),
+            wall.normal,
+            m_crossings[0].isUpright && m_crossings[1].isUpright,
+            m_isHigh,
+            footBeside(m_crossings[0], m_crossings[1])};
 }
 
-std::optional<WallPlace> CellWalls::ifLevel(int corner, const WallPlace& place) const {
-    return m_around.isLevel(column(corner), row(corner), place.z) ? std::optional(place) : std::nullopt;
+/// Unless a corner is not on the surface beside the wall.
+std::optional<WallPlace> CellWalls::ifBeside(int corner, const WallPlace& place) const {
+    return m_around.isBeside(column(corner), row(corner), place.z, place.foot,
+                             place.normal == Vec2(0) ? glm::length(place.at)
+                                                     : glm::dot(place.at, place.normal))
+               ? std::optional(place)
+               : std::nullopt;
 }
 
 } // namespace proveout

@@ -16,6 +16,8 @@ struct WallPlace {
     double z;
     Vec2 normal{0}; ///< of the wall over ground, from its low to its high side; 0: none
     bool isUpright = false;
+    bool isHigh = false; ///< on the high side of the wall
+    RoundFoot foot{};    ///< of the wall
 };
 
 /// One side of the walls in a cell that cross two of its edges. Its corners are counted by rows: 0 and 1,
@@ -44,7 +46,7 @@ private:
     [[nodiscard]] bool isDiagonal(int corner) const;
     [[nodiscard]] bool isOfPair(int corner, const Vec2& meeting) const;
     [[nodiscard]] double slack() const;
-    [[nodiscard]] std::optional<WallPlace> ifLevel(int corner, const WallPlace& place) const;
+    [[nodiscard]] std::optional<WallPlace> ifBeside(int corner, const WallPlace& place) const;
     [[nodiscard]] WallPlace placeOf(int corner, const OnWall& wall) const;
 
     const RimSurroundings& m_around;

@@ -10,6 +10,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/index_rect.h"
+#include "core/zmap/round_foot.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -20,6 +21,7 @@ struct RimCrossing {
     Vec2 normal;
     double height; ///< of the surface beside the wall
     bool isUpright = false;
+    RoundFoot foot{}; ///< by distance from the wall over ground; level if the surface there is
 };
 
 /// A place on a wall.
@@ -46,17 +48,17 @@ struct GridStep {
     return (a.height + b.height) / 2;
 }
 
+[[nodiscard]] inline RoundFoot footBeside(const RimCrossing& a, const RimCrossing& b) {
+    const bool isLevel = a.foot.isLevel() && b.foot.isLevel();
+    return isLevel ? RoundFoot{} : between(a.foot, b.foot);
+}
+
 /// The rims and heights of a tile and what surrounds it. Refers to the map.
 class RimSurroundings {
 public:
-    RimSurroundings(const ZMapSnapshot& zmap, std::size_t tile) : m_zmap(zmap), m_rect(zmap.tileRect(tile)) {
-        const int i = m_rect.i0 / Tile::kSize;
-        const int j = m_rect.j0 / Tile::kSize;
-        for (int tj = std::max(j - 1, 0); tj <= std::min(j + 1, zmap.tilesY() - 1); ++tj) {
-            for (int ti = std::max(i - 1, 0); ti <= std::min(i + 1, zmap.tilesX() - 1); ++ti)
-                add(ti, tj);
-        }
-    }
+    RimSurroundings(const ZMapSnapshot& zmap, std::size_t tile);
+    RimSurroundings(const RimSurroundings&) = delete;
+    RimSurroundings& operator=(const RimSurroundings&) = delete;
 
     [[nodiscard]] bool empty() const { return m_rims.empty(); }
     [[nodiscard]] const IndexRect& rect() const { return m_rect; }
@@ -79,58 +81,41 @@ public:
     }
 
     /// Of the edge from (i, j) to one of its neighbours, on the high or low side of its wall, where the
-    /// surface is level up to the wall.
-    [[nodiscard]] std::optional<RimCrossing> crossing(int i, int j, const GridStep& step, bool high) const {
-        const auto [di, dj] = step;
-        const Rim* rim = find(std::min(i, i + di), std::min(j, j + dj), dj != 0, high);
-        if (rim == nullptr)
-            return std::nullopt;
-        // Points on both sides of a wall through a point of the grid must not meet there.
-        const double place = std::clamp(rim->fraction(high), kApart, 1 - kApart);
-        const double way = di + dj > 0 ? place : 1 - place;
-        return RimCrossing{Vec2(di * grid().hx, dj * grid().hy) * way, rim->normal(),
-                           static_cast<double>(high ? rim->top : rim->bottom), rim->isUpright()};
-    }
+    /// surface is level up to the wall or a round foot of it.
+    [[nodiscard]] std::optional<RimCrossing> crossing(int i, int j, const GridStep& step, bool high) const;
     [[nodiscard]] bool isHigh(int i, int j, const GridStep& step) const {
         return m_zmap.height(i, j) > m_zmap.height(i + step.di, j + step.dj);
     }
 
-    /// Whether the surface beside a wall is as high as at a point near it: else the way to the wall is a
-    /// slope, which the point must not leave.
-    [[nodiscard]] bool isLevel(int i, int j, double besideWall) const {
-        return std::abs(besideWall - static_cast<double>(height(i, j))) <=
-               kLevel * std::max(grid().hx, grid().hy);
+    /// Whether the surface beside a wall is as high as at a point near it, which is `distance` from the wall,
+    /// but for the foot of the wall: else the way to the wall is a slope, which the point must not leave.
+    [[nodiscard]] bool isBeside(int i, int j, double besideWall, const RoundFoot& foot,
+                                double distance) const {
+        const double fall = foot.fall(distance);
+        return isLevel(besideWall - fall, static_cast<double>(height(i, j)), fall / 4);
     }
 
 private:
     static constexpr double kLevel = 0.1;
-    static constexpr int kAround = 2;
-    static constexpr double kApart = 1.0 / 256; ///< of an edge: how near to its ends walls are drawn
+    static constexpr int kAround = 4;
+    static constexpr double kApart = 1.0 / 256;  ///< of an edge: how near to its ends walls are drawn
+    static constexpr double kLeastAcross = 1e-3; ///< the normal along an edge with a foot
     static constexpr int kWidth = Tile::kSize + 2 * kAround;
 
-    void add(int ti, int tj) {
-        const RimTilePtr& tile = m_zmap.rims()[static_cast<std::size_t>(tj * m_zmap.tilesX() + ti)];
-        if (!tile)
-            return;
-        if (m_rims.empty()) {
-            m_rims.resize(std::size_t{2} * 2 * kWidth * kWidth, nullptr);
-            m_cells.resize(std::size_t{2} * kWidth * kWidth);
-            m_isNear.resize(std::size_t{Tile::kSize} * Tile::kSize);
-        }
-        for (const Rim& rim : tile->rims) {
-            const RimEdge edge = RimEdge::of(rim.edge);
-            const int i = ti * Tile::kSize + edge.i;
-            const int j = tj * Tile::kSize + edge.j;
-            for (const bool high : {false, true}) {
-                const auto place = placeOf(i, j, edge.alongY, high);
-                if (place && rim.has(high) && isLevelBeside(rim, i, j, edge.alongY, high)) {
-                    m_rims[*place] = &rim;
-                    markCells(i, j, edge.alongY, high);
-                    markAround(i, j, edge.alongY);
-                }
-            }
-        }
-    }
+    struct Side {
+        const Rim* rim = nullptr;
+        std::uint32_t foot = 0; ///< in m_feet
+    };
+    /// A rim that may have one, and the first point of its edge.
+    struct Foot {
+        const Rim* rim;
+        int i;
+        int j;
+    };
+
+    void add(int ti, int tj, std::vector<Foot>& feet);
+    void addFoot(const Foot& wall);
+    void use(const Rim& rim, int i, int j, bool high, std::uint32_t foot);
     void markCells(int i, int j, bool alongY, bool high) {
         const auto mark = [&](int x, int y, unsigned bit) {
             if (const auto place = placeOf(x, y, false, high))
@@ -154,7 +139,11 @@ private:
         const int toI = i + (alongY ? 0 : 1);
         const int toJ = j + (alongY ? 1 : 0);
         const bool first = (height(i, j) > height(toI, toJ)) == high;
-        return isLevel(first ? i : toI, first ? j : toJ, static_cast<double>(high ? rim.top : rim.bottom));
+        return isBeside(first ? i : toI, first ? j : toJ, static_cast<double>(high ? rim.top : rim.bottom),
+                        {}, 0);
+    }
+    [[nodiscard]] bool isLevel(double a, double b, double slack = 0) const {
+        return std::abs(a - b) <= kLevel * std::max(grid().hx, grid().hy) + slack;
     }
     [[nodiscard]] std::optional<std::size_t> placeOf(int i, int j, bool alongY, bool high) const {
         const int x = i - m_rect.i0 + kAround;
@@ -163,14 +152,17 @@ private:
             return std::nullopt;
         return ((static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 2 + alongY) * 2 + high;
     }
-    [[nodiscard]] const Rim* find(int i, int j, bool alongY, bool high) const {
-        const auto place = placeOf(i, j, alongY, high);
-        return place ? m_rims[*place] : nullptr;
+    /// Other than a crease at which a slope ends at a level.
+    [[nodiscard]] bool hasRim(int i, int j, bool alongY) const {
+        const auto place = placeOf(i, j, alongY, false);
+        return place && m_hasRim[*place / 2];
     }
 
     const ZMapSnapshot& m_zmap;
     IndexRect m_rect;
-    std::vector<const Rim*> m_rims;    ///< by edge, and by side where the surface is level
+    std::vector<Side> m_rims;          ///< by edge, and by side where the surface is level or a foot
+    std::vector<RoundFoot> m_feet;     ///< the first one is level
+    std::vector<bool> m_hasRim;        ///< by edge
     std::vector<std::uint8_t> m_cells; ///< edgesOf() by cell and side
     std::vector<bool> m_isNear;        ///< by point of the tile
 };

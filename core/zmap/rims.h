@@ -25,6 +25,13 @@ namespace proveout {
 /// Which sides of a wall are known on an edge: the wall may go on beyond its other end.
 enum class RimSides : std::uint8_t { both, high, low };
 
+/// How far beyond a wall between levels the surface is measured for its lower end, as a part of the edge:
+/// passes at several depths follow one outline within the rounding of the program.
+inline constexpr double kRimBeyond = 1.0 / 64;
+
+/// A slope begins or ends at a level where it is away from it by this part of an edge.
+inline constexpr double kRimCrease = 1.0 / 1024;
+
 /// A wall that crosses an edge of the grid: the line from a point to the next one along x or y.
 struct Rim {
     std::uint16_t edge; ///< of its tile: RimEdge

@@ -5,6 +5,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <deque>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -18,7 +20,7 @@ namespace {
 
 constexpr std::array<GridStep, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-/// The walls of the cells of a tile and around it, made when a point first asks: a cell has four.
+/// The walls of the cells of a tile, and of two around it, made when a point first asks: a cell has four.
 class CellsOfTile {
 public:
     explicit CellsOfTile(const RimSurroundings& around) : m_around(around) {}
@@ -27,8 +29,8 @@ public:
     [[nodiscard]] const CellWalls* twoWalls(int i, int j, bool high) {
         if (std::popcount(m_around.edgesOf(i, j, high)) != 2)
             return nullptr;
-        const auto x = static_cast<std::size_t>(i - m_around.rect().i0 + 1);
-        const auto y = static_cast<std::size_t>(j - m_around.rect().j0 + 1);
+        const auto x = static_cast<std::size_t>(i - m_around.rect().i0 + 2);
+        const auto y = static_cast<std::size_t>(j - m_around.rect().j0 + 2);
         std::uint16_t& known = m_known.at((y * kSide + x) * 2 + (high ? 1 : 0));
         if (known == 0) {
             m_cells.emplace_back(m_around, i, j, high);
@@ -38,7 +40,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kSide = Tile::kSize + 1;
+    static constexpr std::size_t kSide = Tile::kSize + 3;
 
     const RimSurroundings& m_around;
     std::vector<CellWalls> m_cells;
@@ -85,12 +87,13 @@ public:
         const RimCrossing& a = m_seen[0].crossing;
         const RimCrossing& b = m_seen[1].crossing;
         const OnWall wall = onWall(a, b);
-        return WallPlace{wall.at, heightBeside(a, b), wall.normal, a.isUpright && b.isUpright};
+        return WallPlace{wall.at, heightBeside(a, b), wall.normal, a.isUpright && b.isUpright,
+                         m_high,  footBeside(a, b)};
     }
 
 private:
-    [[nodiscard]] static WallPlace onWallOf(const RimCrossing& crossing) {
-        return {crossing.at, crossing.height, crossing.normal, crossing.isUpright};
+    [[nodiscard]] WallPlace onWallOf(const RimCrossing& crossing) const {
+        return {crossing.at, crossing.height, crossing.normal, crossing.isUpright, m_high, crossing.foot};
     }
     /// Between walls on both sides: where the wall ahead of it stands.
     [[nodiscard]] WallPlace tip() const {
@@ -108,7 +111,7 @@ private:
             m_count > 0 && !m_isOnSlope &&
             std::all_of(m_seen.begin(), m_seen.begin() + static_cast<std::ptrdiff_t>(m_count),
                         [](const Seen& seen) { return seen.crossing.isUpright; });
-        return {Vec2(0), static_cast<double>(m_around.height(m_i, m_j)), Vec2(0), isUpright};
+        return {Vec2(0), static_cast<double>(m_around.height(m_i, m_j)), Vec2(0), isUpright, m_high};
     }
 
     /// Whether nothing is left at a point of the border, nor beside it along the border: nothing is drawn
@@ -174,6 +177,124 @@ private:
     std::size_t m_count = 0;
 };
 
+/// The places of a tile's points and of those around it, made when one asks.
+class PlacesOfTile {
+public:
+    explicit PlacesOfTile(const RimSurroundings& around) : m_around(around), m_cells(around) {}
+
+    [[nodiscard]] const std::optional<WallPlace>& at(int i, int j) {
+        const auto x = static_cast<std::size_t>(i - m_around.rect().i0 + 1);
+        const auto y = static_cast<std::size_t>(j - m_around.rect().j0 + 1);
+        std::uint16_t& known = m_known.at(y * kSide + x);
+        if (known == 0) {
+            m_places.push_back(PointPlace(m_around, m_cells, i, j).place());
+            known = static_cast<std::uint16_t>(m_places.size());
+        }
+        return m_places[known - 1U];
+    }
+
+private:
+    static constexpr std::size_t kSide = Tile::kSize + 2;
+
+    const RimSurroundings& m_around;
+    CellsOfTile m_cells;
+    std::deque<std::optional<WallPlace>> m_places;
+    std::array<std::uint16_t, kSide * kSide> m_known{}; ///< its place, from 1 on
+};
+
+/// The height of a point on a wall with a foot. The surface next to it is drawn straight from the wall to
+/// points that stay, though the foot sags between them: it is put so much lower than the wall's end that as
+/// much is under its triangles as under the foot.
+class PointAboveFoot {
+public:
+    PointAboveFoot(const RimSurroundings& around, PlacesOfTile& places, int i, int j)
+        : m_around(around), m_places(places), m_i(i), m_j(j), m_wall(*places.at(i, j)) {
+        const Vec2 out = m_wall.normal == Vec2(0) ? m_wall.at : m_wall.normal;
+        m_out = out == Vec2(0) ? out : glm::normalize(out);
+    }
+
+    [[nodiscard]] double height() {
+        for (int j = std::max(m_j - 1, 0); j <= std::min(m_j, m_around.grid().ny - 2); ++j) {
+            for (int i = std::max(m_i - 1, 0); i <= std::min(m_i, m_around.grid().nx - 2); ++i)
+                addCell(i, j);
+        }
+        if (!(m_area > 0))
+            return m_wall.z;
+        const double lower = m_wall.foot.sagBeyond(m_farthest / m_area, step()) - 3 * m_volume / m_area;
+        return std::clamp(m_wall.z - lower, m_lowest, m_wall.z);
+    }
+
+private:
+    struct Corner {
+        Vec2 at; ///< from the point of the grid
+        double z;
+        bool isOnFoot; ///< where it begins, at the wall
+        bool isAboveWall;
+        bool isThis;
+    };
+
+    /// Of the grid, away from the wall.
+    [[nodiscard]] double step() const {
+        const Vec2 steps = glm::abs(m_out) * m_around.cell();
+        return std::max(steps.x, steps.y);
+    }
+    void addCell(int i, int j) {
+        const std::array<Corner, 4> at{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
+                                       corner(i, j + 1)};
+        if ((i + j) % 2 == 0) {
+            add({at[0], at[1], at[2]});
+            add({at[0], at[2], at[3]});
+        } else {
+            add({at[0], at[1], at[3]});
+            add({at[1], at[2], at[3]});
+        }
+    }
+    [[nodiscard]] Corner corner(int i, int j) {
+        const Vec2 grid(m_around.cell() * Vec2(i - m_i, j - m_j));
+        const std::optional<WallPlace>& wall = m_places.at(i, j);
+        const bool isThis = i == m_i && j == m_j;
+        if (!wall)
+            return {grid, static_cast<double>(m_around.height(i, j)), false, false, isThis};
+        return {grid + wall->at, wall->z, !wall->foot.isLevel(), wall->isHigh, isThis};
+    }
+    void add(const std::array<Corner, 3>& corners) {
+        std::array<double, 3> distances{};
+        double onFoot = 0;
+        double straight = 0;
+        bool hasThis = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Corner& one = corners[k];
+            if (one.isAboveWall)
+                return;
+            hasThis = hasThis || one.isThis;
+            onFoot += one.isOnFoot ? 1 : 0;
+            distances[k] = one.isOnFoot ? 0 : std::max(0.0, glm::dot(m_wall.at - one.at, m_out));
+            straight += m_wall.foot.fall(distances[k]) / 3;
+        }
+        const Vec2 a = corners[1].at - corners[0].at;
+        const Vec2 b = corners[2].at - corners[0].at;
+        const double area = (a.x * b.y - a.y * b.x) / 2;
+        if (!hasThis || !(area > 0))
+            return;
+        for (const Corner& one : corners)
+            m_lowest = std::min(m_lowest, one.z);
+        m_area += area;
+        m_farthest += area * *std::ranges::max_element(distances);
+        m_volume += area * (straight - m_wall.foot.meanFall(distances)) / onFoot;
+    }
+
+    const RimSurroundings& m_around;
+    PlacesOfTile& m_places;
+    int m_i;
+    int m_j;
+    const WallPlace& m_wall;
+    Vec2 m_out;            ///< over ground, from the foot to the wall
+    double m_area = 0;     ///< of the triangles around it
+    double m_farthest = 0; ///< how far they reach from the wall, times it
+    double m_volume = 0;   ///< between them and the foot, its share
+    double m_lowest = std::numeric_limits<double>::infinity();
+};
+
 bool sameAround(const ZMapSnapshot& a, const RimMap& before, std::size_t tile) {
     const int i = static_cast<int>(tile) % a.tilesX();
     const int j = static_cast<int>(tile) / a.tilesX();
@@ -202,20 +323,21 @@ std::shared_ptr<const WallTile> wallPointsOf(const ZMapSnapshot& zmap, std::size
     const RimSurroundings around(zmap, tile);
     if (around.empty())
         return nullptr;
-    CellsOfTile cells(around);
+    PlacesOfTile places(around);
     WallTile walls;
     const IndexRect& rect = around.rect();
     for (int j = rect.j0; j < rect.j1; ++j) {
         for (int i = rect.i0; i < rect.i1; ++i) {
             if (!around.isNearRim(i, j))
                 continue;
-            const auto place = PointPlace(around, cells, i, j).place();
+            const std::optional<WallPlace>& place = places.at(i, j);
             if (!place)
                 continue;
+            const double z = place->foot.isLevel() ? place->z : PointAboveFoot(around, places, i, j).height();
             const Vec2 at = insideMap(around.grid(), i, j, place->at);
             walls.points.push_back({static_cast<std::uint16_t>((j - rect.j0) * Tile::kSize + i - rect.i0),
                                     place->isUpright, static_cast<float>(at.x), static_cast<float>(at.y),
-                                    static_cast<float>(place->z), inRimUnits(place->normal.x),
+                                    static_cast<float>(z), inRimUnits(place->normal.x),
                                     inRimUnits(place->normal.y)});
         }
     }

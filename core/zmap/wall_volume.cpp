@@ -27,7 +27,7 @@ class TileWalls {
 public:
     TileWalls(const ZMapSnapshot& zmap, std::size_t tile) : m_zmap(zmap), m_tile(zmap.tileRect(tile)) {
         const Grid& grid = zmap.grid();
-        const IndexRect known = intersection({m_tile.i0 - 1, m_tile.j0 - 1, m_tile.i1 + 2, m_tile.j1 + 2},
+        const IndexRect known = intersection({m_tile.i0 - 2, m_tile.j0 - 2, m_tile.i1 + 3, m_tile.j1 + 3},
                                              {0, 0, grid.nx, grid.ny});
         for (const std::uint32_t offset : zmap.walls().offsetsIn(known)) {
             if (m_points.empty())
@@ -44,20 +44,24 @@ public:
 
     /// The upright wall that a point of the tile, or the next one, is on. Null beside the slope below a
     /// crease: what a ball leaves there is round between its points, and the sum of heights is nearer to it.
+    /// The points on both sides of a wall then are: on one side alone, its volume would be that of a slope.
     /// Null if the wall is along a border that the points on its other side cannot leave.
     [[nodiscard]] const WallPoint* wallAt(int i, int j) const {
         const WallPoint* wall = m_points[placeOf(i, j)];
         if (wall == nullptr || !wall->isUpright || isAlongBorder(*wall, i, j))
             return nullptr;
-        for (int y = j - 1; y <= j + 1; ++y)
-            for (int x = i - 1; x <= i + 1; ++x)
-                if (const WallPoint* near = m_points[placeOf(x, y)]; near != nullptr && staysOnSlope(*near))
+        for (int y = j - 1; y <= j + 1; ++y) {
+            for (int x = i - 1; x <= i + 1; ++x) {
+                const WallPoint* near = m_points[placeOf(x, y)];
+                if (near != nullptr && near->isUpright && isNearSlope(x, y))
                     return nullptr;
+            }
+        }
         return wall;
     }
 
 private:
-    static constexpr int kSide = Tile::kSize + 3; ///< with one point before the tile, and two after it
+    static constexpr int kSide = Tile::kSize + 5; ///< with two points before the tile, and three after it
 
     [[nodiscard]] bool isAlongBorder(const WallPoint& wall, int i, int j) const {
         const Grid& grid = m_zmap.grid();
@@ -66,12 +70,16 @@ private:
         return (besideX && 2 * std::abs(wall.normalX) >= std::abs(wall.normalY)) ||
                (besideY && 2 * std::abs(wall.normalY) >= std::abs(wall.normalX));
     }
-    [[nodiscard]] static bool staysOnSlope(const WallPoint& wall) {
-        return wall.dx == 0 && wall.dy == 0 && !wall.isUpright;
+    [[nodiscard]] bool isNearSlope(int i, int j) const {
+        for (int y = j - 1; y <= j + 1; ++y)
+            for (int x = i - 1; x <= i + 1; ++x)
+                if (const WallPoint* near = m_points[placeOf(x, y)]; near != nullptr && !near->isUpright)
+                    return true;
+        return false;
     }
     [[nodiscard]] std::size_t placeOf(int i, int j) const {
-        return static_cast<std::size_t>(j - m_tile.j0 + 1) * kSide +
-               static_cast<std::size_t>(i - m_tile.i0 + 1);
+        return static_cast<std::size_t>(j - m_tile.j0 + 2) * kSide +
+               static_cast<std::size_t>(i - m_tile.i0 + 2);
     }
 
     const ZMapSnapshot& m_zmap;

@@ -23,12 +23,6 @@ namespace {
 constexpr double kBelowPlateau = kWallSlope / 4;
 constexpr double kLeastWall = kWallSlope / 2;
 
-/// Passes at several depths follow one outline within the rounding of the program: up to this part of an
-/// edge, their walls are one.
-constexpr double kPasses = 1.0 / 64;
-
-/// A slope begins or ends at a level where it is away from it by this part of an edge.
-constexpr double kCrease = 1.0 / 1024;
 constexpr int kHalvings = 20;
 
 PlanArea areaOf(const EdgeLine& line) {
@@ -125,7 +119,7 @@ WallOnEdge jumpOn(const FallingEdge& edge, const EdgeLine& line, const ExactSurf
     const double atWall = bottom(beside);
     if (!(top - atWall > kLeastWall * line.length))
         return {};
-    const double below = wanted == RimEdges::all ? atWall : bottom(kPasses * line.length);
+    const double below = wanted == RimEdges::all ? atWall : bottom(kRimBeyond * line.length);
     return {WallSide{place, top}, WallSide{place, below}};
 }
 
@@ -156,7 +150,7 @@ Vec2 uphill(const ExactSurface& surface, const EdgeLine& line, const WallOnEdge&
 /// Adds the creases where a slope begins at a level and ends at one.
 void addCreases(const FallingEdge& edge, const EdgeLine& line, const ExactSurface& surface, double below,
                 WallOnEdge& wall) {
-    const double near = kCrease * line.length;
+    const double near = kRimCrease * line.length;
     const bool opensAbove = !wall.high || edge.high - wall.high->height > near;
     if (opensAbove && edge.isFromLevel(line.length))
         wall.high = {placeOfHeight(surface, line, edge.high - near, 0, below), edge.high};
@@ -165,6 +159,27 @@ void addCreases(const FallingEdge& edge, const EdgeLine& line, const ExactSurfac
         wall.low = {
             placeOfHeight(surface, line, edge.low + near, wall.high ? wall.high->place : 0, line.length),
             edge.low};
+}
+
+/// Below an upright wall whose round foot ends at a level on the same edge, such as that of a bull-nose
+/// cutter of small radius, where a straight wall has to end on that level for the same volume.
+void straighten(const EdgeLine& line, const ExactSurface& surface, const WallSide& foot, WallOnEdge& wall) {
+    // Gauss-Legendre from 0 to 1.
+    constexpr std::array<double, 4> kPlaces{0.069431844202973712, 0.33000947820757187, 0.66999052179242813,
+                                            0.93056815579702629};
+    constexpr std::array<double, 4> kWeights{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                             0.17392742256872693};
+    const double width = wall.low->place - foot.place;
+    const double height = wall.high->height - wall.low->height;
+    if (!(width > 0) || !(height > 0))
+        return;
+    double area = 0;
+    for (std::size_t k = 0; k < kPlaces.size(); ++k) {
+        const double u = kPlaces[k];
+        const double above = surface.height(line.at(foot.place + width * u * u)) - wall.low->height;
+        area += kWeights[k] * 2 * u * width * above;
+    }
+    wall.low->place = foot.place + std::clamp(2 * area / height, 0.0, width);
 }
 
 /// Whether the surface is nearly as high at both ends of an edge as beside the wall.
@@ -191,8 +206,12 @@ std::optional<Rim> rimOn(const FallingEdge& edge, const EdgeLine& line, const Ex
             wall = jumpOn(edge, line, surface, below, wanted);
         }
     }
-    if (wanted == RimEdges::atLevels)
+    if (wanted == RimEdges::atLevels) {
+        const std::optional<WallSide> foot = wall.low;
         addCreases(edge, line, surface, below, wall);
+        if (foot && wall.high->place == foot->place)
+            straighten(line, surface, *foot, wall);
+    }
     if (!wall.high && !wall.low)
         return std::nullopt;
     if (wanted == RimEdges::betweenLevels && !isBetweenLevels(edge, wall, line.length))
