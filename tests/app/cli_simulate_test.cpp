@@ -37,6 +37,17 @@ protected:
     }
 };
 
+/// Half of the cutter is beside the stock: its wall is between the points next to the border and the ones
+/// behind them.
+TEST_F(CliSimulate, WallsAlongTheBorderCountInTheVolume) {
+    write("around.nc",
+          "G21 G90 G17\nT1 M6\nS5000 M3\nG0 X0 Y0 Z5\nG1 Z-3 F200\nX40 F600\nY30\nX0\nY0\nG0 Z5\nM30\n");
+    const nlohmann::json json =
+        run("simulate around.nc --stock 40x30x10 --grid 1 --tool 1=flat:d=3,l=20 --json").json();
+    const double exact = 3 * (40.0 * 30 - 37.0 * 27);
+    EXPECT_NEAR(json["removedMm3"].get<double>(), exact, 0.005 * exact);
+}
+
 TEST_F(CliSimulate, ALargeMapHasLargerRegionsUnlessTheirSizeIsGiven) {
     const std::string large =
         "simulate p.nc --stock 220x220x10 --grid 0.1 --json" + kTool; // 2201 × 2201 points
