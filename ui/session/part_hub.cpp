@@ -55,13 +55,24 @@ void PartHub::reread() {
     adopt();
 }
 
-void PartHub::setOn(bool on) {
-    if (std::exchange(m_isOn, on) == on)
+void PartHub::setOn(const QObject& user, bool on) {
+    if (on == m_users.contains(&user))
         return;
-    if (on)
+    if (on) {
+        m_users.insert(&user);
+        connect(&user, &QObject::destroyed, this, &PartHub::leave);
         return compare();
-    clear();
+    }
+    disconnect(&user, &QObject::destroyed, this, &PartHub::leave);
+    leave(&user);
     emit changed();
+}
+
+/// Emits nothing, because a user that is being destroyed may still be connected.
+void PartHub::leave(const QObject* user) {
+    m_users.erase(user);
+    if (m_users.empty())
+        clear();
 }
 
 /// The file is read again unless only the tolerance has changed.
@@ -119,7 +130,7 @@ bool PartHub::fits(const Frame& frame) {
 }
 
 void PartHub::compare() {
-    if (!m_isOn || !m_job.part() || m_contents.part == nullptr)
+    if (m_users.empty() || !m_job.part() || m_contents.part == nullptr)
         return;
     const FramePtr& frame = m_simulation.frame();
     if (frame == nullptr || !frame->atRest)

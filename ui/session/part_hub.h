@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <QObject>
 
@@ -43,8 +44,8 @@ public:
     /// In [0, 1] while a comparison is awaited.
     [[nodiscard]] const std::optional<double>& progress() const { return m_progress; }
 
-    /// Whether moments are compared; initially they are not, because nobody looks.
-    void setOn(bool on);
+    /// Moments are compared while anybody looks at the result, until the last one does not or is destroyed.
+    void setOn(const QObject& user, bool on);
     /// Bytes that the part, and then a comparison, may allocate, instead of a quarter of memoryLimitBytes().
     void setMemoryLimit(std::uint64_t bytes);
     /// Reads the file again.
@@ -57,6 +58,7 @@ signals:
     void changed();
 
 private:
+    void leave(const QObject* user);
     void adopt();
     void read();
     void compare();
@@ -70,7 +72,7 @@ private:
     std::optional<PartSpec> m_read; ///< what m_contents are of
     PartContents m_contents;
     bool m_isReading = false;
-    bool m_isOn = false;
+    std::set<const QObject*> m_users; ///< that look
     std::shared_ptr<const PartComparison> m_comparison;
     FramePtr m_compared; ///< the moment of m_comparison, or the one that is being compared
     PartTolerance m_tolerance;
