@@ -284,6 +284,11 @@ float Deviation::at(int i, int j) const {
         ->values[static_cast<std::size_t>((j % Tile::kSize) * Tile::kSize + i % Tile::kSize)];
 }
 
+bool Deviation::isOn(const ZMapSnapshot& moment) const {
+    return moment.grid() == grid() && moment.stock() == stock().stock() &&
+           moment.tileCount() == stock().tileCount();
+}
+
 Deviation::Place Deviation::placeOf(int i, int j) const {
     const PartTolerance none{0, 0, 0};
     const Points points(*m_map, *m_part, *m_top, none);

@@ -61,6 +61,7 @@ public:
     [[nodiscard]] const Grid& grid() const { return m_map->zmap().grid(); }
     [[nodiscard]] const ZMapSnapshot& stock() const { return m_map->zmap(); }
     [[nodiscard]] const DesignPart& part() const { return *m_part; }
+    [[nodiscard]] const std::shared_ptr<const DesignPart>& sharePart() const { return m_part; }
     [[nodiscard]] const PartTop& top() const { return *m_top; }
     [[nodiscard]] std::size_t tileCount() const { return m_tiles.size(); }
     /// Null: no point of it is judged.
@@ -68,6 +69,8 @@ public:
         return m_tiles[index];
     }
     [[nodiscard]] float at(int i, int j) const;
+    /// Whether a moment has this stock and grid, so that its tiles are those of stock() where they are equal.
+    [[nodiscard]] bool isOn(const ZMapSnapshot& moment) const;
     /// Those of steep faces that are out of tolerance.
     [[nodiscard]] const std::vector<WallDeviation>& walls() const { return m_walls; }
     [[nodiscard]] const DeviationLimits& limits() const { return m_limits; }

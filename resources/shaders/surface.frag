@@ -75,7 +75,13 @@ void main() {
     float raw = smoothstep(-2e-3, -1e-3, position.z - stockHeight) * step(0.9999, normal.z);
     vec3 albedo = mix(cutAlbedo, rawAlbedo, raw);
     albedo = mix(albedo, tint.rgb, tint.a);
-    vec3 shaded = open * lit(albedo, mix(0.46, 0.16, max(raw, tint.a)), normal, position);
+    float gloss = mix(0.46, 0.16, max(raw, tint.a));
+#ifdef DEVIATION
+    vec4 deviation = deviationColourAt(position.xy / spacing);
+    albedo = mix(albedo, deviation.rgb, deviation.a);
+    gloss = mix(gloss, 0.06, deviation.a); // so that the colours are those of the legend
+#endif
+    vec3 shaded = open * lit(albedo, gloss, normal, position);
 #ifdef WIREFRAME
     shaded = withLines(shaded);
 #endif

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "ui/gl/page_upload.h"
+
 namespace proveout {
 
 namespace {
@@ -85,26 +87,6 @@ void HeightTexture::clearOutside(Gl& gl) {
         }
 }
 
-std::size_t HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index) {
-    const IndexRect rect = moment.tileRect(index);
-    const Tile& tile = *moment.tile(index);
-    const IndexRect pages = m_pages.pagesAt(rect);
-    std::size_t points = 0;
-    for (int row = pages.j0; row < pages.j1; ++row)
-        for (int column = pages.i0; column < pages.i1; ++column) {
-            const IndexRect part = intersection(rect, m_pages.held(column, row, m_grid));
-            gl.glPixelStorei(GL_UNPACK_SKIP_PIXELS, part.i0 - rect.i0);
-            gl.glPixelStorei(GL_UNPACK_SKIP_ROWS, part.j0 - rect.j0);
-            gl.glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, part.i0 - column * m_pages.points.x + m_pages.margin,
-                               part.j0 - row * m_pages.points.y + m_pages.margin,
-                               row * m_pages.columns + column, part.width(), part.height(), 1, GL_RED,
-                               GL_FLOAT, tile.heights.data());
-            points += static_cast<std::size_t>(part.width()) * static_cast<std::size_t>(part.height());
-        }
-    m_tiles.set(index, moment);
-    return sizeof(float) * points;
-}
-
 HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment,
                                               const UploadBudget& budget) {
     Uploaded uploaded;
@@ -114,17 +96,16 @@ HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment
     } else {
         gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_texture);
     }
-    gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, Tile::kSize);
+    TileRows rows(gl);
     for (std::size_t index = 0; index < moment.tileCount() && uploaded.whole; ++index) {
         if (moment.tile(index) == m_tiles.tile(index))
             continue;
-        uploaded.bytes += upload(gl, moment, index);
+        uploaded.bytes += sizeof(float) * rows.upload(m_pages, m_grid, moment.tileRect(index),
+                                                      moment.tile(index)->heights.data());
+        m_tiles.set(index, moment);
         ++uploaded.tiles;
         uploaded.whole = !budget.spent();
     }
-    gl.glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-    gl.glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-    gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     if (uploaded.tiles > 0 && std::exchange(m_untried, false) && gl.glGetError() == GL_OUT_OF_MEMORY)
         return refuse(gl);
     return uploaded;

@@ -55,8 +55,6 @@ private:
     void clearOutside(Gl& gl);
     /// Frees what it has of a grid that does not fit.
     [[nodiscard]] Uploaded refuse(Gl& gl);
-    /// Returns the number of bytes uploaded.
-    std::size_t upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index);
 
     int m_mostPoints;
     GLuint m_texture = 0;

@@ -15,6 +15,17 @@ namespace proveout {
 enum class PathShown : std::uint8_t { none, nearCutter, whole };
 enum class CutterShown : std::uint8_t { hidden, seeThrough, solid };
 
+/// The colours of deviations from the part: those of Okabe and Ito out of tolerance, between which there are
+/// pale ones, so that they are distinguishable with every common colour blindness.
+struct DeviationColours {
+    glm::vec3 excess{0.0f, 0.447f, 0.698f}; ///< more is left than allowed
+    glm::vec3 left{0.66f, 0.83f, 0.93f};    ///< as much as allowed
+    glm::vec3 exact{0.80f, 0.86f, 0.78f};
+    glm::vec3 missing{0.97f, 0.85f, 0.58f}; ///< as much as allowed
+    glm::vec3 gouge{0.835f, 0.369f, 0.0f};  ///< more is missing than allowed; hatched, because it is as dark
+                                            ///< as `excess`
+};
+
 /// The colours of a scene, as screen values without gamma conversion, 0 … 1.
 struct SceneColours {
     glm::vec3 backdropTop;
@@ -33,6 +44,8 @@ struct SceneColours {
     glm::vec3 dirty{1.0f, 0.62f, 0.05f};
     glm::vec3 decimated{0.0f, 0.45f, 0.80f};
     glm::vec3 box{0.80f, 0.30f, 0.60f}; ///< the edge of a detail region
+    DeviationColours deviation;
+    glm::vec3 part{0.0f, 0.62f, 0.50f}; ///< the design part
     glm::vec3 rapid;
     glm::vec3 feed;
     glm::vec3 arc;
@@ -71,6 +84,8 @@ struct ContactShown {
 struct SceneOptions {
     bool wireframe = false; ///< triangles and region borders
     bool tint = false;      ///< colours regions drawn from the z-map differently from decimated ones
+    bool deviation = false; ///< colours the stock by its deviation from the part, where that is known
+    bool part = false;      ///< the design part, see-through
     PathShown path = PathShown::nearCutter;
     bool pathThroughStock = true; ///< shows the part of the path that the stock hides, dimmed; no effect if
                                   ///< `path` is none

@@ -32,9 +32,9 @@ std::unique_ptr<SceneRenderer> SceneRenderer::create(int mostTexturePoints) {
         return nullptr;
     std::unique_ptr<SceneRenderer> renderer(new SceneRenderer(*gl, mostTexturePoints));
     const bool valid = renderer->m_backdrop.valid() && renderer->m_surface.valid() &&
-                       renderer->m_fixtures.valid() && renderer->m_cutter.valid() &&
-                       renderer->m_path.valid() && renderer->m_boxSurface.valid() &&
-                       renderer->m_boxFrame.valid();
+                       renderer->m_fixtures.valid() && renderer->m_part.valid() &&
+                       renderer->m_cutter.valid() && renderer->m_path.valid() &&
+                       renderer->m_boxSurface.valid() && renderer->m_boxFrame.valid();
     return valid ? std::move(renderer) : nullptr;
 }
 
@@ -67,6 +67,18 @@ UploadCounts SceneRenderer::upload(const FramePtr& newest, const UploadBudget& b
     m_framePending = counts.fits && !counts.whole;
     m_frameWaits = m_frameWaits || m_framePending;
     return counts;
+}
+
+void SceneRenderer::uploadDeviation(const Deviation* deviation, const PartTolerance& tolerance,
+                                    const UploadBudget& budget) {
+    m_colouring = Colouring::none;
+    if (m_frame != nullptr && m_gridFits && m_frame->zmap.tileCount() > 0)
+        m_colouring = m_surface.uploadDeviation(m_gl, m_frame->zmap, deviation, tolerance, budget);
+}
+
+void SceneRenderer::uploadPart(const std::shared_ptr<const DesignPart>& part, const UploadBudget& budget) {
+    if (m_frame != nullptr)
+        m_part.upload(m_gl, part, originOf(*m_frame), budget);
 }
 
 void SceneRenderer::setMostTriangles(std::size_t triangles) {
@@ -148,7 +160,7 @@ void SceneRenderer::drawBox(const View& view, const SceneOptions& options, const
     const Grid& grid = m_box->zmap.grid();
     const StockBox& stock = m_box->zmap.stock();
     m_gl.glBindVertexArray(m_emptyArray);
-    m_boxSurface.draw(m_gl, StockView(view, {grid.x0, grid.y0, stock.floorZ()}), options);
+    m_boxSurface.draw(m_gl, StockView(view, {grid.x0, grid.y0, stock.floorZ()}), options, m_box->zmap);
     m_gl.glBindVertexArray(0);
     m_boxFrame.draw(m_gl, stockView, options, glm::vec3(Vec3(grid.x0, grid.y0, stock.topZ()) - origin));
 }
@@ -181,7 +193,7 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
         const StockView stockView(view, origin);
         if (m_gridFits && m_frame->zmap.tileCount() > 0) {
             m_surface.setCutOut(cutOut(m_box, grid));
-            m_surface.draw(m_gl, stockView, options);
+            m_surface.draw(m_gl, stockView, options, m_frame->zmap);
         }
         if (m_box != nullptr)
             drawBox(view, options, stockView, origin);
@@ -190,6 +202,7 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
         m_path.draw(m_gl, stockView, options, origin);
         if (options.pathThroughStock)
             m_path.drawHidden(m_gl, stockView, options, origin);
+        m_part.draw(m_gl, stockView, options);
         const Vec3 tip = options.contact ? options.contact->tip : m_frame->cutterPosition;
         m_cutter.draw(m_gl, stockView, options, glm::vec3(tip - origin));
         m_gl.glDisable(GL_CULL_FACE);
@@ -231,6 +244,7 @@ void SceneRenderer::release() {
     m_surface.release(m_gl);
     freeBox();
     m_fixtures.release(m_gl);
+    m_part.release(m_gl);
     m_cutter.release(m_gl);
     m_path.release(m_gl);
     if (m_emptyArray != 0)

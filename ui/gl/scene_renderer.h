@@ -9,6 +9,7 @@
 #include "ui/gl/box_frame.h"
 #include "ui/gl/cutter_renderer.h"
 #include "ui/gl/fixture_renderer.h"
+#include "ui/gl/part_renderer.h"
 #include "ui/gl/path_renderer.h"
 #include "ui/gl/surface_renderer.h"
 
@@ -58,6 +59,15 @@ public:
     /// take several calls for a long program. Needs no context.
     void advancePath(const UploadBudget& budget) { m_path.advanceOverview(budget); }
     [[nodiscard]] bool pathPending() const { return m_path.overviewPending(); }
+    /// Uploads deviations of the stock, which colour the uploaded frame where they are of its heights; null:
+    /// none. If the budget is too small, the next call continues. The frame must be complete.
+    void uploadDeviation(const Deviation* deviation, const PartTolerance& tolerance,
+                         const UploadBudget& budget = {});
+    /// Whether the uploaded frame can be coloured.
+    [[nodiscard]] Colouring colouring() const { return m_colouring; }
+    /// Uploads the design part; null: none. It is drawn once complete, which may take several calls.
+    void uploadPart(const std::shared_ptr<const DesignPart>& part, const UploadBudget& budget = {});
+    [[nodiscard]] bool partPending() const { return m_part.isPending(); }
     /// Frees the GPU resources of a detail region that is no longer needed. The frame may use the memory, and
     /// then be incomplete.
     void releaseBox(const UploadBudget& budget = {});
@@ -86,6 +96,8 @@ private:
     ShaderProgram m_backdrop;
     SurfaceRenderer m_surface;
     FixtureRenderer m_fixtures;
+    PartRenderer m_part;
+    Colouring m_colouring = Colouring::none;
     CutterRenderer m_cutter;
     PathRenderer m_path;
     GLuint m_emptyArray = 0; ///< for vertices that the shader computes from their index alone

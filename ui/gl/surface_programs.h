@@ -7,8 +7,8 @@ namespace proveout {
 
 /// The shaders of the stock. Needs the context in which it was created to be current.
 struct SurfacePrograms {
-    /// `heights`: the file that finds the height of a point.
-    explicit SurfacePrograms(const char* heights);
+    /// `heights`: the file that finds the height of a point. `coloured`: by deviation (DeviationTexture).
+    explicit SurfacePrograms(const char* heights, bool coloured = false);
 
     [[nodiscard]] bool valid() const {
         return plain.valid() && holes.valid() && wire.valid() && walls.valid();

@@ -15,6 +15,7 @@ namespace {
 constexpr std::array kNormals{glm::vec3(0, -1, 0), glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0),
                               glm::vec3(1, 0, 0), glm::vec3(0, 0, -1)};
 constexpr float kTintStrength = 0.65f;
+constexpr float kHatchPixels = 8; // logical
 } // namespace
 
 SurfaceRenderer::SurfaceRenderer(int mostTexturePoints)
@@ -35,7 +36,7 @@ void SurfaceRenderer::setMostTextureBytes(std::size_t bytes) {
 
 std::size_t SurfaceRenderer::bytes() const {
     return m_heights.bytes() + m_parts.bytes() + m_surface.bytes() + m_wallBuffer.bytes() +
-           m_wallOffsets.bytes();
+           m_wallOffsets.bytes() + m_deviations.bytes();
 }
 
 bool SurfaceRenderer::fits(Gl& gl, const Grid& grid) const {
@@ -183,6 +184,29 @@ Coarseness SurfaceRenderer::refine(Gl& gl, const Frame& frame, const View& view,
             .pending = !held};
 }
 
+Colouring SurfaceRenderer::uploadDeviation(Gl& gl, const ZMapSnapshot& moment, const Deviation* deviation,
+                                           const PartTolerance& tolerance, const UploadBudget& budget) {
+    m_tolerance = tolerance;
+    if (deviation == nullptr) {
+        m_deviations.release(gl);
+        return Colouring::none;
+    }
+    if (!deviation->isOn(moment))
+        return Colouring::none;
+    const HeightPages& pages = m_heights.pages();
+    const std::size_t more = m_deviations.bytes() == 0 ? DeviationTexture::bytesOf(pages) : 0;
+    if (m_partPrograms || bytes() + more > m_limit) {
+        m_deviations.release(gl);
+        return Colouring::tooLarge;
+    }
+    if (!m_colouredPrograms)
+        m_colouredPrograms.emplace("heights.glsl", true);
+    const DeviationTexture::Uploaded uploaded = m_deviations.update(gl, moment, *deviation, pages, budget);
+    if (!uploaded.fits || !m_colouredPrograms->valid())
+        return Colouring::tooLarge;
+    return uploaded.whole ? Colouring::whole : Colouring::pending;
+}
+
 void SurfaceRenderer::setStock(Gl& gl, ShaderProgram& program, const SceneOptions& options) {
     if (m_partPrograms) {
         m_parts.set(gl, program);
@@ -219,6 +243,9 @@ void SurfaceRenderer::drawTop(Gl& gl, const StockView& view, const SceneOptions&
     program.set(gl, "regionColour", options.colours.regionLine);
     program.set(gl, "lineWidth", view.pixelRatio);
     const float strength = options.tint && !m_sampled ? kTintStrength : 0.0f; // no mesh is drawn then
+    if (m_isColoured)
+        m_deviations.set(gl, program, options.colours.deviation, m_tolerance);
+    program.set(gl, "hatchPixels", kHatchPixels * view.pixelRatio);
     program.set(gl, "tint", glm::vec4(options.colours.dirty, strength));
     m_surface.draw(gl, SurfaceBuffer::Part::fromZMap);
     program.set(gl, "tint", glm::vec4(options.colours.decimated, strength));
@@ -237,7 +264,10 @@ void SurfaceRenderer::drawWalls(Gl& gl, const StockView& view, const SceneOption
     }
 }
 
-void SurfaceRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& options) {
+void SurfaceRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& options,
+                           const ZMapSnapshot& moment) {
+    m_isColoured = options.deviation && !m_partPrograms && m_colouredPrograms &&
+                   m_colouredPrograms->valid() && m_deviations.select(gl, moment);
     gl.glActiveTexture(GL_TEXTURE0);
     gl.glBindTexture(GL_TEXTURE_2D_ARRAY, m_heights.id());
     drawTop(gl, view, options);
@@ -246,6 +276,7 @@ void SurfaceRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& op
 
 void SurfaceRenderer::release(Gl& gl) {
     m_heights.release(gl);
+    m_deviations.release(gl);
     m_parts.release(gl);
     m_surface.release(gl);
     m_wallBuffer.release(gl);

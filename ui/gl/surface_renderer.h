@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "core/simulation/run/frame.h"
+#include "ui/gl/deviation_texture.h"
 #include "ui/gl/height_texture.h"
 #include "ui/gl/partial_heights.h"
 #include "ui/gl/scene_light.h"
@@ -34,6 +36,9 @@ struct Coarseness {
     bool tooManyTriangles = false; ///< because the surface has more triangles than are drawn
     bool pending = false;          ///< another call makes it finer
 };
+
+/// Whether the stock can be coloured by its deviation from the part.
+enum class Colouring : std::uint8_t { none, pending, whole, tooLarge };
 
 /// Draws the stock: top surface, walls, underside. Its heights and triangles take no more bytes on the GPU
 /// than allowed: where all heights do not fit, or not in one texture, the stock is drawn from coarser points,
@@ -68,7 +73,12 @@ public:
     /// A rectangle in plan, in stock coordinates (x, y, x, y), in which nothing is drawn except a pixel at
     /// its rim; empty: none. If it reaches the edge of the stock, its side there must be beyond that edge.
     void setCutOut(const glm::vec4& rectangle) { m_cutOut = rectangle; }
-    void draw(Gl& gl, const StockView& view, const SceneOptions& options);
+    /// Uploads deviations as far as the budget allows; those of other heights than `moment`, the uploaded
+    /// one, has are not drawn. Null: none. They take only memory that heights and triangles leave.
+    Colouring uploadDeviation(Gl& gl, const ZMapSnapshot& moment, const Deviation* deviation,
+                              const PartTolerance& tolerance, const UploadBudget& budget = {});
+    /// `moment`: the uploaded one.
+    void draw(Gl& gl, const StockView& view, const SceneOptions& options, const ZMapSnapshot& moment);
     void release(Gl& gl);
     [[nodiscard]] std::size_t triangles(SurfaceBuffer::Part part) const { return m_surface.triangles(part); }
 
@@ -90,13 +100,16 @@ private:
                                      UploadCounts& counts, int step = 1);
     /// The surface of these regions with no mesh.
     [[nodiscard]] const SurfaceSnapshot& bare(const SurfaceSnapshot& surface);
-    [[nodiscard]] SurfacePrograms& programs() { return m_partPrograms ? *m_partPrograms : m_programs; }
+    [[nodiscard]] SurfacePrograms& programs() {
+        return m_isColoured ? *m_colouredPrograms : m_partPrograms ? *m_partPrograms : m_programs;
+    }
     void setStock(Gl& gl, ShaderProgram& program, const SceneOptions& options);
     void drawTop(Gl& gl, const StockView& view, const SceneOptions& options);
     void drawWalls(Gl& gl, const StockView& view, const SceneOptions& options);
 
     SurfacePrograms m_programs;
-    std::optional<SurfacePrograms> m_partPrograms; ///< empty while all heights are held
+    std::optional<SurfacePrograms> m_partPrograms;     ///< empty while all heights are held
+    std::optional<SurfacePrograms> m_colouredPrograms; ///< empty while no deviation has been uploaded
     std::size_t m_limit = std::numeric_limits<std::size_t>::max();
     std::size_t m_mostTextureBytes = std::numeric_limits<std::size_t>::max();
     std::size_t m_mostTriangles = std::numeric_limits<std::size_t>::max();
@@ -112,7 +125,10 @@ private:
     SurfaceBuffer m_surface;
     WallBuffer m_wallBuffer;
     WallOffsets m_wallOffsets;
-    bool m_wallsDue = true; ///< the surface has changed since the walls were written
+    DeviationTexture m_deviations;
+    PartTolerance m_tolerance;
+    bool m_isColoured = false; ///< in the picture that is being drawn
+    bool m_wallsDue = true;    ///< the surface has changed since the walls were written
     Grid m_grid;
     float m_floor = -1;
     int m_regionCells = 1;
