@@ -92,6 +92,11 @@ void ScreenshotRun::take() {
         m_settle.start();
         return;
     }
+    const PartHub& part = m_window.session().part();
+    if (part.isReading() || part.progress()) {
+        m_settle.start();
+        return;
+    }
     const QPixmap picture = m_shown->grab();
     const auto* view = qobject_cast<const Viewport*>(&m_window.viewport());
     if (view != nullptr && view->isVisible() && !view->atRest()) { // it is still being uploaded

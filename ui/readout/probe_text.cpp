@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/readout/probe_text.h"
 
+#include <cmath>
+#include <optional>
+
 #include <QCoreApplication>
 
 #include "ui/readout/tool_actions.h"
@@ -10,6 +13,19 @@ namespace {
 
 QString text(const char* source) {
     return QCoreApplication::translate("SurfaceProbe", source);
+}
+
+/// Without the allowance.
+std::optional<double> deviationAt(const PickedPlace& place, const PartComparison& comparison) {
+    const Deviation& deviation = comparison.deviation;
+    const ZMapSnapshot& zmap = place.moment->zmap;
+    if (!place.point || !deviation.isOn(zmap))
+        return std::nullopt;
+    const auto [i, j] = *place.point;
+    const auto tile = static_cast<std::size_t>(j / Tile::kSize * zmap.tilesX() + i / Tile::kSize);
+    if (zmap.tile(tile) != deviation.stock().tile(tile) || std::isnan(deviation.at(i, j)))
+        return std::nullopt;
+    return double{deviation.at(i, j)} - comparison.tolerance.allowance;
 }
 
 } // namespace
@@ -38,6 +54,21 @@ QString cutText(const SurfaceProbe& probe) {
         return {};
     return text(QT_TRANSLATE_NOOP("SurfaceProbe", "Line %1, %2"))
         .arg(QString::number(answer.line), toolText(answer));
+}
+
+QString deviationText(const SurfaceProbe& probe, const PartComparison* comparison, const QLocale& locale) {
+    if (!probe.place() || comparison == nullptr)
+        return {};
+    const auto value = deviationAt(probe.place()->picked, *comparison);
+    if (!value)
+        return {};
+    const QString number = locale.toString(std::abs(*value), 'f', 3);
+    const QString words = (*value < 0 ? QStringLiteral("\u2212%1") : QStringLiteral("+%1")).arg(number);
+    if (*value > comparison->tolerance.above)
+        return text(QT_TRANSLATE_NOOP("SurfaceProbe", "Deviation %1 mm (excess)")).arg(words);
+    if (*value < -comparison->tolerance.below)
+        return text(QT_TRANSLATE_NOOP("SurfaceProbe", "Deviation %1 mm (gouge)")).arg(words);
+    return text(QT_TRANSLATE_NOOP("SurfaceProbe", "Deviation %1 mm")).arg(words);
 }
 
 } // namespace proveout

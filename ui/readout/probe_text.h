@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QString>
 
+#include "core/verification/part/part_comparison.h"
 #include "ui/readout/surface_probe.h"
 
 namespace proveout {
@@ -15,5 +16,9 @@ namespace proveout {
 [[nodiscard]] QString positionText(const SurfaceProbe& probe, const QLocale& locale);
 /// "Line 120, T3"; empty if unknown.
 [[nodiscard]] QString cutText(const SurfaceProbe& probe);
+/// "Deviation +0.042 mm", from the part with its allowance; empty if the point is not judged, or the
+/// comparison (which may be null) is not of these heights.
+[[nodiscard]] QString deviationText(const SurfaceProbe& probe, const PartComparison* comparison,
+                                    const QLocale& locale);
 
 } // namespace proveout

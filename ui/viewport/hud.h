@@ -4,15 +4,35 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include <QLocale>
 #include <QPainter>
 #include <QPalette>
 #include <QString>
 
+#include "core/part/part_spec.h"
 #include "ui/gl/scene_options.h"
 #include "ui/gl/view.h"
 
 namespace proveout {
+
+/// What the legend says about the colours of deviations.
+struct DeviationLegend {
+    PartTolerance tolerance;
+    QString note; ///< what the colours lack; empty: nothing
+};
+
+/// Its lines: what is measured, and the bands from excess to gouge; a band without width is left out.
+struct DeviationLines {
+    enum class Band : std::uint8_t { excess, left, missing, gouge };
+    QString title;
+    std::vector<std::pair<Band, QString>> bands;
+};
+[[nodiscard]] DeviationLines linesOf(const DeviationLegend& legend, const QLocale& locale);
 
 /// The figures of a frame that the legend shows.
 struct LegendFigures {
@@ -21,6 +41,8 @@ struct LegendFigures {
     std::size_t regions = 0;
     std::size_t dirtyRegions = 0;
     bool fixtures = false; ///< there are some
+    bool part = false;     ///< it is drawn
+    std::optional<DeviationLegend> deviation = {};
 };
 
 /// The three axes as arrows with letters in the lower left corner of `area`.

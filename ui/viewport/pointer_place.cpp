@@ -49,10 +49,11 @@ void PointerPlace::showLabel(bool busy) {
     const bool covered = busy || QApplication::activePopupWidget() != nullptr;
     if (!m_labelShown || !m_hover || !m_probe->place() || covered || !m_view.isActiveWindow())
         return m_label->hide();
-    const QString cut = cutText(*m_probe);
-    const QString position = positionText(*m_probe, m_view.locale());
-    m_label->showAt(m_view.mapToGlobal(m_hover->toPoint()),
-                    cut.isEmpty() ? position : position + u'\n' + cut);
+    QStringList lines{positionText(*m_probe, m_view.locale()),
+                      deviationText(*m_probe, m_session.part().comparison().get(), m_view.locale()),
+                      cutText(*m_probe)};
+    lines.removeAll(QString());
+    m_label->showAt(m_view.mapToGlobal(m_hover->toPoint()), lines.join(u'\n'));
 }
 
 void PointerPlace::hideLabel() {

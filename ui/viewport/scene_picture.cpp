@@ -11,6 +11,7 @@
 #include <QOpenGLWidget>
 
 #include "ui/viewport/closer_look.h"
+#include "ui/viewport/part_view.h"
 
 namespace proveout {
 namespace {
@@ -136,6 +137,8 @@ void ScenePicture::upload() {
             m_renderer->releaseBox(ofFrame);
     }
     if (!m_renderer->framePending())
+        uploadPart(slice);
+    if (!m_renderer->framePending())
         m_renderer->refine(m_view, slice);
     // Waiting for the GPU costs nothing at 30 frames per second and makes the measured times reliable.
     m_renderer->finish();
@@ -144,6 +147,15 @@ void ScenePicture::upload() {
         m_renderer->advancePath(slice);
     if (m_frame != nullptr && (m_renderer->framePending() || m_renderer->frame() != m_frame))
         emit partUploaded(m_frame->sequence);
+}
+
+void ScenePicture::uploadPart(const UploadBudget& budget) {
+    if (m_part == nullptr)
+        return;
+    const auto comparison = m_part->comparison();
+    m_renderer->uploadDeviation(comparison ? &comparison->deviation : nullptr,
+                                comparison ? comparison->tolerance : PartTolerance(), budget);
+    m_renderer->uploadPart(m_part->part(), budget);
 }
 
 /// Of a large frame, whose successor may take several slices to upload.
@@ -212,7 +224,8 @@ bool ScenePicture::showsHiddenPath() const {
 /// Whether work is pending that the image needs and that is done in slices.
 bool ScenePicture::workPending() const {
     return m_renderer->framePending() || m_renderer->frame() != m_frame || m_renderer->boxPending() ||
-           m_renderer->coarseness().pending || (showsHiddenPath() && m_renderer->pathPending());
+           m_renderer->coarseness().pending || m_renderer->colouring() == Colouring::pending ||
+           m_renderer->partPending() || (showsHiddenPath() && m_renderer->pathPending());
 }
 
 } // namespace proveout

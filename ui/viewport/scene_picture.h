@@ -21,6 +21,7 @@ class QOpenGLWidget;
 namespace proveout {
 
 class CloserLook;
+class PartView;
 
 /// The scene as a widget draws it: uploads it, draws it, continues uploading between the window's events, and
 /// draws a better image once nothing changes. Owns all resources of the GL context. Thread: UI.
@@ -39,6 +40,9 @@ public:
     ScenePicture(QOpenGLWidget& widget, const CloserLook& look, const SceneOptions& options, bool software);
     ~ScenePicture() override;
 
+    /// What of the design part is shown, read on every draw; it must outlive this object. Without a call,
+    /// nothing.
+    void setPart(const PartView* part) { m_part = part; }
     /// Call it in initializeGL(), for a new context.
     void initialize();
     /// Makes the context current and frees its resources.
@@ -66,6 +70,10 @@ public:
     [[nodiscard]] bool hasTooManyTriangles() const {
         return m_renderer != nullptr && m_renderer->coarseness().tooManyTriangles;
     }
+    /// Whether the stock can be coloured by its deviation from the part.
+    [[nodiscard]] Colouring colouring() const {
+        return m_renderer != nullptr ? m_renderer->colouring() : Colouring::none;
+    }
     /// Whether rendering is done in software, which never holds all heights of a large grid.
     [[nodiscard]] bool isSoftware() const { return m_software; }
     /// Whether the last image does not show this view and stock, because the frame is not uploaded yet.
@@ -85,6 +93,7 @@ signals:
 
 private:
     void upload();
+    void uploadPart(const UploadBudget& budget);
     void draw(const View& view);
     void drawSmooth(const View& view);
     void keepImage();
@@ -95,6 +104,7 @@ private:
 
     QOpenGLWidget& m_widget;
     const CloserLook& m_look;
+    const PartView* m_part = nullptr;
     const SceneOptions& m_options;
     bool m_software;
     std::unique_ptr<SceneRenderer> m_renderer;

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "ui/viewport/hud.h"
+#include "ui/viewport/part_view.h"
 #include "ui/viewport/scene_picture.h"
 
 namespace proveout {
@@ -64,7 +65,9 @@ void paintOverlay(QPainter& painter, const QRect& area, const View& view, const 
     if (content.legend)
         paintLegend(painter, area, content.options,
                     {surface.faces, surface.facesFull, surface.meshes.size(), surface.dirtyRegions,
-                     content.frame->setup && !content.frame->setup->fixtures.empty()},
+                     content.frame->setup && !content.frame->setup->fixtures.empty(),
+                     content.part.part() != nullptr,
+                     content.part.legend(*content.frame, content.picture.colouring())},
                     content.palette);
 }
 

@@ -11,6 +11,7 @@
 
 namespace proveout {
 
+class PartView;
 class ScenePicture;
 
 /// The data that the overlay shows.
@@ -18,6 +19,7 @@ struct OverlayContent {
     const ScenePicture& picture;
     const Frame* frame; ///< may be null
     const SceneOptions& options;
+    const PartView& part;
     bool legend;
     const QPalette& palette;
 };

@@ -10,6 +10,7 @@
 #include "ui/viewport/contact_view.h"
 #include "ui/viewport/detail_choice.h"
 #include "ui/viewport/foreign_notice.h"
+#include "ui/viewport/part_view.h"
 #include "ui/viewport/pointer_place.h"
 #include "ui/viewport/tool_notice.h"
 #include "ui/viewport/view_bounds.h"
@@ -34,7 +35,7 @@ QSurfaceFormat formatFor(const GlSupport& support) {
 
 Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     : QOpenGLWidget(parent), m_session(session), m_detail(new DetailChoice(m_look, *this)),
-      m_place(new PointerPlace(session, *this)),
+      m_place(new PointerPlace(session, *this)), m_part(new PartView(session, m_options, this)),
       m_picture(std::make_unique<ScenePicture>(*this, m_look, m_options, support.software)),
       m_contact(new ContactView(session, m_camera, m_options, *this)) {
     setFormat(formatFor(support));
@@ -42,20 +43,16 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     setMouseTracking(true);
     setMinimumSize(160, 120);
 
-    m_commands =
-        std::make_unique<CommandActions<Viewport>>(*this, kViewportCommandContext, viewportCommands(), this);
-    for (QAction* action : m_commands->all()) {
-        action->setCheckable(isOn(*this, action->objectName().toStdString()).has_value());
-        addAction(action);
-        // A click toggles the check mark by itself; it must show the actual state.
-        connect(action, &QAction::triggered, this, &Viewport::followOptions);
-    }
+    m_commands = addCommands(*this);
     setAccessibleName(tr("3D view"));
     connect(m_detail, &DetailChoice::closeWanted, this, &Viewport::closeLook);
     connect(&m_look, &CloserLook::changed, this, &Viewport::followLook);
     connect(m_picture.get(), &ScenePicture::partUploaded, &session.playback(), &PlaybackHub::reportUploading);
     connect(&session.playback(), &PlaybackHub::tick, this, &Viewport::onTick);
     connect(m_contact, &ContactView::changed, this, &Viewport::followOptions);
+    m_picture->setPart(m_part);
+    connect(m_part, &PartView::changed, this, &Viewport::followOptions);
+    connect(m_part, &PartView::changed, m_place, &PointerPlace::probeAgain);
     connect(m_contact, &ContactView::moved, this, &Viewport::moved);
     new ToolNotice(session, this);
     new ForeignNotice(session, this);
@@ -115,10 +112,11 @@ void Viewport::setLegendShown(bool shown) {
 }
 
 void Viewport::followOptions() {
-    for (QAction* action : m_commands->all())
-        if (const auto on = isOn(*this, action->objectName().toStdString()))
-            action->setChecked(*on);
+    showSwitches(*this, *m_commands);
     m_commands->find("hide-contact")->setEnabled(m_session.contact().isShown());
+    m_part->followOptions();
+    for (const char* id : {"view-deviation", "view-part"})
+        m_commands->find(id)->setEnabled(m_part->isAvailable());
     repaintSoon();
 }
 
@@ -181,7 +179,9 @@ void Viewport::resizeGL(int, int) {
 
 void Viewport::paintGL() {
     setPicture();
-    const View view = m_camera.view(sceneBounds(m_frame.get(), m_options));
+    Box3 bounds = sceneBounds(m_frame.get(), m_options);
+    bounds.add(m_part->bounds());
+    const View view = m_camera.view(bounds);
     const std::optional<ScenePicture::Seconds> took = m_picture->paint(view, m_frame);
     if (m_frame != nullptr && took)
         m_session.playback().reportDrawn(m_frame->sequence, took->upload, took->draw,
@@ -197,7 +197,7 @@ void Viewport::paintOver(const View& view) {
     QPainter painter(&device);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(font());
-    paintOverlay(painter, rect(), view, {*m_picture, m_frame.get(), m_options, m_legend, palette()});
+    paintOverlay(painter, rect(), view, {*m_picture, m_frame.get(), m_options, *m_part, m_legend, palette()});
     if (!m_picture->isUsable() || m_frame == nullptr)
         return;
     const glm::vec3 colour = m_options.colours.box;

@@ -18,6 +18,7 @@ namespace proveout {
 
 class ContactView;
 class DetailChoice;
+class PartView;
 class PointerPlace;
 
 /// The 3D view of a session, with its commands as actions() of the widget. If OpenGL is not available, a
@@ -117,6 +118,7 @@ private:
     Choosing m_choosing = Choosing::nothing;
     DetailChoice* m_detail;
     PointerPlace* m_place;
+    PartView* m_part;
     std::unique_ptr<ScenePicture> m_picture; ///< destroyed before what it draws and before the context
     CameraDrag m_drag;
     ContactView* m_contact;

@@ -34,7 +34,7 @@ void choose(Viewport& viewport) {
 
 constexpr auto kFocus = Reach::focus;
 
-const std::array<Command<Viewport>, 27> kCommands{{
+const std::array<Command<Viewport>, 29> kCommands{{
     {"view-fit", QT_TRANSLATE_NOOP("ViewportCommands", "&Fit"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock and its fixtures"), "fit", "F", kFocus,
      [](Viewport& viewport) { viewport.fit(); }},
@@ -67,6 +67,12 @@ const std::array<Command<Viewport>, 27> kCommands{{
     {"view-fixtures", QT_TRANSLATE_NOOP("ViewportCommands", "Fi&xtures"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Draw what holds the stock"), "", "", kFocus,
      toggle<&SceneOptions::fixtures>},
+    {"view-deviation", QT_TRANSLATE_NOOP("ViewportCommands", "Colour b&y Deviation"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Colour the stock by its deviation from the design part"), "", "D",
+     kFocus, toggle<&SceneOptions::deviation>},
+    {"view-part", QT_TRANSLATE_NOOP("ViewportCommands", "De&sign Part"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Draw the design part, see-through"), "", "", kFocus,
+     toggle<&SceneOptions::part>},
     {"view-legend", QT_TRANSLATE_NOOP("ViewportCommands", "Lege&nd"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show what the colours and lines mean"), "legend", "L", kFocus,
      [](Viewport& viewport) { viewport.setLegendShown(!viewport.legendShown()); }},
@@ -118,11 +124,13 @@ bool has(const Viewport& viewport) {
     return viewport.options().*Member == Value;
 }
 
-const std::array<Switch, 13> kSwitches{{
+const std::array<Switch, 15> kSwitches{{
     {"view-perspective", [](const Viewport& viewport) { return viewport.camera().perspective(); }},
     {"view-wireframe", has<&SceneOptions::wireframe, true>},
     {"view-tint", has<&SceneOptions::tint, true>},
     {"view-fixtures", has<&SceneOptions::fixtures, true>},
+    {"view-deviation", has<&SceneOptions::deviation, true>},
+    {"view-part", has<&SceneOptions::part, true>},
     {"view-legend", [](const Viewport& viewport) { return viewport.legendShown(); }},
     {"view-place", [](const Viewport& viewport) { return viewport.placeLabelShown(); }},
     {"look-closer", [](const Viewport& viewport) { return viewport.looksCloser(); }},
@@ -138,6 +146,26 @@ const std::array<Switch, 13> kSwitches{{
 
 std::span<const Command<Viewport>> viewportCommands() {
     return kCommands;
+}
+
+std::unique_ptr<CommandActions<Viewport>> addCommands(Viewport& viewport) {
+    auto commands =
+        std::make_unique<CommandActions<Viewport>>(viewport, "ViewportCommands", kCommands, &viewport);
+    for (QAction* action : commands->all()) {
+        action->setCheckable(isOn(viewport, action->objectName().toStdString()).has_value());
+        viewport.addAction(action);
+        // A click toggles the check mark by itself; it must show the actual state.
+        QObject::connect(action, &QAction::triggered, &viewport,
+                         [&viewport, &all = *commands] { showSwitches(viewport, all); });
+    }
+    showSwitches(viewport, *commands);
+    return commands;
+}
+
+void showSwitches(const Viewport& viewport, const CommandActions<Viewport>& commands) {
+    for (QAction* action : commands.all())
+        if (const auto on = isOn(viewport, action->objectName().toStdString()))
+            action->setChecked(*on);
 }
 
 std::optional<bool> isOn(const Viewport& viewport, std::string_view id) {

@@ -5,6 +5,14 @@
 
 namespace proveout {
 
+void triggerSwitch(QAction& action) {
+    const bool isEnabled = action.isEnabled();
+    action.setEnabled(true);
+    action.trigger();
+    if (!isEnabled)
+        action.setEnabled(false);
+}
+
 KeptSwitches::KeptSwitches(QString group, const QList<QAction*>& actions, QObject* parent)
     : QObject(parent), m_group(std::move(group)) {
     const QSettings settings;
@@ -34,7 +42,7 @@ void KeptSwitches::bring(const States& states) {
     for (const bool last : {false, true}) {
         for (const auto& [action, on] : states) {
             if (on == last && action->isChecked() != on)
-                action->trigger();
+                triggerSwitch(*action);
         }
     }
 }

@@ -11,6 +11,9 @@
 
 namespace proveout {
 
+/// Turns a command on or off even while it is disabled because the open job has no use for it.
+void triggerSwitch(QAction& action);
+
 /// Stores in the settings which commands are on: all that are checkable and have an objectName. Thread: UI.
 class KeptSwitches final : public QObject {
     Q_OBJECT

@@ -30,6 +30,7 @@
 #include "ui/look/theme.h"
 #include "ui/window/dock_layouts.h"
 #include "ui/window/first_geometry.h"
+#include "ui/window/kept_switches.h"
 
 namespace proveout {
 namespace {
@@ -418,9 +419,10 @@ private slots:
     }
 
     void viewOptionsComeBackAndAreReset() {
-        const QStringList changed{"view-wireframe",   "view-tint",          "view-legend",
-                                  "view-perspective", "path-whole",         "cutter-see-through",
-                                  "plot-faces",       "plot-removed-volume"};
+        const QStringList changed{"view-wireframe",   "view-tint",           "view-legend",
+                                  "view-perspective", "path-whole",          "cutter-see-through",
+                                  "plot-faces",       "plot-removed-volume", "view-deviation",
+                                  "view-part"}; // these are disabled here
         const auto isOn = [](const Workstation& station, const QString& id) {
             return station.window.action(id)->isChecked();
         };
@@ -432,7 +434,8 @@ private slots:
             for (const QString& id : changed)
                 first[id] = isOn(station, id);
             for (const QString& id : changed)
-                station.window.action(id)->trigger();
+                triggerSwitch(*station.window.action(id));
+            QVERIFY(!station.window.action(QStringLiteral("view-deviation"))->isEnabled());
             station.window.close();
         }
         {
