@@ -9655,6 +9655,33 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>PartView</name>
+    <message>
+        <source>The part is being read.</source>
+        <translation>Das Fertigteil wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The part cannot be used; see Problems.</source>
+        <translation>Das Fertigteil ist nicht verwendbar; siehe Probleme.</translation>
+    </message>
+    <message>
+        <source>Not enough graphics memory for these colours.</source>
+        <translation>Zu wenig Grafikspeicher für diese Farben.</translation>
+    </message>
+    <message>
+        <source>Comparing: %1 %</source>
+        <translation>Vergleich: %1 %</translation>
+    </message>
+    <message>
+        <source>The stock cannot be compared.</source>
+        <translation>Das Rohteil kann nicht verglichen werden.</translation>
+    </message>
+    <message>
+        <source>New cuts are compared when playback stops.</source>
+        <translation>Neue Schnitte werden verglichen, sobald die Wiedergabe anhält.</translation>
+    </message>
+</context>
+<context>
     <name>PlotView</name>
     <message>
         <source>Not measured.</source>
@@ -10765,6 +10792,18 @@ Vorgabe: %4 mm</translation>
         <source>Line %1, %2</source>
         <translation>Zeile %1, %2</translation>
     </message>
+    <message>
+        <source>Deviation %1 mm (excess)</source>
+        <translation>Abweichung %1 mm (Restmaterial)</translation>
+    </message>
+    <message>
+        <source>Deviation %1 mm (gouge)</source>
+        <translation>Abweichung %1 mm (Werkstückverletzung)</translation>
+    </message>
+    <message>
+        <source>Deviation %1 mm</source>
+        <translation>Abweichung %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>TimelinePanel</name>
@@ -11331,6 +11370,26 @@ Vorgabe: die nächste freie Nummer</translation>
         <source>Fixture</source>
         <translation>Spannmittel</translation>
     </message>
+    <message>
+        <source>Design part</source>
+        <translation>Fertigteil</translation>
+    </message>
+    <message>
+        <source>Deviation from the part, mm</source>
+        <translation>Abweichung vom Fertigteil, mm</translation>
+    </message>
+    <message>
+        <source>Deviation from the part with allowance %1, mm</source>
+        <translation>Abweichung vom Fertigteil mit Aufmaß %1, mm</translation>
+    </message>
+    <message>
+        <source>&gt; %1 (excess)</source>
+        <translation>&gt; %1 (Restmaterial)</translation>
+    </message>
+    <message>
+        <source>&lt; %1 (gouge)</source>
+        <translation>&lt; %1 (Werkstückverletzung)</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
@@ -11517,6 +11576,22 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>Show the cutter at the end of the block again</source>
         <translation>Den Fräser wieder am Ende des Satzes zeigen</translation>
+    </message>
+    <message>
+        <source>Colour b&amp;y Deviation</source>
+        <translation>Nach A&amp;bweichung färben</translation>
+    </message>
+    <message>
+        <source>Colour the stock by its deviation from the design part</source>
+        <translation>Das Rohteil nach seiner Abweichung vom Fertigteil färben</translation>
+    </message>
+    <message>
+        <source>De&amp;sign Part</source>
+        <translation>Fertigteil &amp;anzeigen</translation>
+    </message>
+    <message>
+        <source>Draw the design part, see-through</source>
+        <translation>Das Fertigteil durchscheinend zeichnen</translation>
     </message>
 </context>
 <context>

@@ -9654,6 +9654,33 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>PartView</name>
+    <message>
+        <source>The part is being read.</source>
+        <translation>설계 형상을 읽는 중입니다.</translation>
+    </message>
+    <message>
+        <source>The part cannot be used; see Problems.</source>
+        <translation>설계 형상을 사용할 수 없습니다. 문제 패널을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Not enough graphics memory for these colours.</source>
+        <translation>그래픽 메모리가 부족하여 이 색을 표시할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Comparing: %1 %</source>
+        <translation>비교 중: %1 %</translation>
+    </message>
+    <message>
+        <source>The stock cannot be compared.</source>
+        <translation>소재를 비교할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>New cuts are compared when playback stops.</source>
+        <translation>새 절삭은 재생이 멈추면 비교됩니다.</translation>
+    </message>
+</context>
+<context>
     <name>PlotView</name>
     <message>
         <source>Not measured.</source>
@@ -10764,6 +10791,18 @@ Default: %4 mm</source>
         <source>Line %1, %2</source>
         <translation>%1번 줄, %2</translation>
     </message>
+    <message>
+        <source>Deviation %1 mm (excess)</source>
+        <translation>편차 %1 mm (미절삭)</translation>
+    </message>
+    <message>
+        <source>Deviation %1 mm (gouge)</source>
+        <translation>편차 %1 mm (과절삭)</translation>
+    </message>
+    <message>
+        <source>Deviation %1 mm</source>
+        <translation>편차 %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>TimelinePanel</name>
@@ -11330,6 +11369,26 @@ Default: the next free number</source>
         <source>Fixture</source>
         <translation>고정구</translation>
     </message>
+    <message>
+        <source>Design part</source>
+        <translation>설계 형상</translation>
+    </message>
+    <message>
+        <source>Deviation from the part, mm</source>
+        <translation>설계 형상과의 편차, mm</translation>
+    </message>
+    <message>
+        <source>Deviation from the part with allowance %1, mm</source>
+        <translation>여유량 %1을 더한 설계 형상과의 편차, mm</translation>
+    </message>
+    <message>
+        <source>&gt; %1 (excess)</source>
+        <translation>&gt; %1 (미절삭)</translation>
+    </message>
+    <message>
+        <source>&lt; %1 (gouge)</source>
+        <translation>&lt; %1 (과절삭)</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
@@ -11516,6 +11575,22 @@ Default: the next free number</source>
     <message>
         <source>Show the cutter at the end of the block again</source>
         <translation>공구를 다시 블록 끝에 표시합니다</translation>
+    </message>
+    <message>
+        <source>Colour b&amp;y Deviation</source>
+        <translation>편차별 색상(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Colour the stock by its deviation from the design part</source>
+        <translation>설계 형상과의 편차에 따라 소재에 색을 입힙니다</translation>
+    </message>
+    <message>
+        <source>De&amp;sign Part</source>
+        <translation>설계 형상(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Draw the design part, see-through</source>
+        <translation>설계 형상을 반투명하게 그립니다</translation>
     </message>
 </context>
 <context>
