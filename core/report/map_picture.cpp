@@ -14,8 +14,8 @@ namespace {
 constexpr Rgb kStock{186, 191, 198};
 constexpr Rgb kNothing{255, 255, 255}; ///< the stock is cut through
 constexpr Rgb kInTolerance{205, 212, 205};
-constexpr Rgb kMissing{0, 114, 178};
-constexpr Rgb kLeft{230, 159, 0};
+constexpr Rgb kMissing{213, 94, 0};
+constexpr Rgb kLeft{0, 114, 178};
 /// How much of the colour is due to its band, and how much to how far beyond the tolerance it is.
 constexpr double kLeastStrength = 0.55;
 constexpr double kStrongest = 4; // tolerances

@@ -12,8 +12,8 @@ namespace proveout {
 /// The longest side of a picture, px; a map with fewer points has a pixel for each.
 inline constexpr int kPictureSide = 1200;
 
-/// The colour of a deviation without the allowance: blue where material is missing, orange where it is left,
-/// of Okabe and Ito, which are distinguishable with every common colour blindness; grey in tolerance.
+/// The colour of a deviation without the allowance: vermilion where material is missing, blue where it is
+/// left, of Okabe and Ito, which are distinguishable with every common colour blindness; grey in tolerance.
 [[nodiscard]] Rgb deviationColour(double off, const PartTolerance& tolerance);
 
 /// The stock, lit from the upper left; the picture covers the whole map.

@@ -159,9 +159,9 @@ private:
     }
 
     void addKey() {
-        add("<p class=\"key\"><span><i style=\"background:#0072b2\"></i>missing</span>"
+        add("<p class=\"key\"><span><i style=\"background:#d55e00\"></i>missing</span>"
             "<span><i style=\"background:#cdd4cd\"></i>in tolerance</span>"
-            "<span><i style=\"background:#e69f00\"></i>left</span></p>\n");
+            "<span><i style=\"background:#0072b2\"></i>left</span></p>\n");
     }
 
     /// Bars on a logarithmic scale, because most points are in tolerance.

@@ -66,10 +66,10 @@ private:
     [[nodiscard]] bool isAlongBorder(const WallPoint& wall, int i, int j) const {
         const Grid& grid = m_zmap.grid();
         // From the next point to the border, a wall is shared with a point of the border only if it is there.
-        const bool besideX = i == 0 || i == grid.nx - 1 || (i == 1 && wall.dx < 0) ||
-                             (i == grid.nx - 2 && wall.dx > 0);
-        const bool besideY = j == 0 || j == grid.ny - 1 || (j == 1 && wall.dy < 0) ||
-                             (j == grid.ny - 2 && wall.dy > 0);
+        const bool besideX =
+            i == 0 || i == grid.nx - 1 || (i == 1 && wall.dx < 0) || (i == grid.nx - 2 && wall.dx > 0);
+        const bool besideY =
+            j == 0 || j == grid.ny - 1 || (j == 1 && wall.dy < 0) || (j == grid.ny - 2 && wall.dy > 0);
         return (besideX && 2 * std::abs(wall.normalX) >= std::abs(wall.normalY)) ||
                (besideY && 2 * std::abs(wall.normalY) >= std::abs(wall.normalX));
     }

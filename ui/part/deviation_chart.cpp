@@ -18,9 +18,9 @@ constexpr QSize kSmallest{180, 90};
 constexpr QSize kUsual{240, 150};
 constexpr double kMargin = 8;
 
-/// Blue and orange of Okabe and Ito, as in the view; the middle by the palette.
-const QColor kMissing(0, 114, 178);
-const QColor kLeft(230, 159, 0);
+/// Vermilion and blue of Okabe and Ito, as in the view; the middle by the palette.
+const QColor kMissing(213, 94, 0);
+const QColor kLeft(0, 114, 178);
 
 } // namespace
 

@@ -101,7 +101,7 @@ void count(PartComparison& comparison) {
             const double off = double{value} - tolerance.allowance;
             note(off);
             ++comparison.judgedPoints;
-            const double bin = std::round(off / histogram.width) + kLast / 2;
+            const double bin = std::round(off / histogram.width) + DeviationHistogram::kMiddle;
             ++histogram.points[static_cast<std::size_t>(std::clamp<double>(bin, 0, kLast))];
         }
     }

@@ -26,12 +26,13 @@ struct ComparedIsland {
 
 /// How much of the part's surface, as points of the grid, deviates by how much.
 struct DeviationHistogram {
-    static constexpr int kBins = 41; ///< the middle one is around 0
+    static constexpr int kBins = 41;
+    static constexpr int kMiddle = 20; ///< the bin around 0
     /// Of a bin, mm; the first and the last also count what is beyond.
     double width = 0;
     std::array<std::size_t, kBins> points{};
 
-    [[nodiscard]] double middleOf(int bin) const { return width * (bin - kBins / 2); }
+    [[nodiscard]] double middleOf(int bin) const { return width * (bin - kMiddle); }
 };
 
 /// Immutable once made; any thread.

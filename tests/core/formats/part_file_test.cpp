@@ -42,8 +42,7 @@ protected:
 };
 
 TEST_F(PartFile, IsScaledThenTurnedThenPlaced) {
-    const PartContents contents =
-        read(test::tetrahedron(1), {{}, 10, 20, -5, 90, 25.4, {}});
+    const PartContents contents = read(test::tetrahedron(1), {{}, 10, 20, -5, 90, 25.4, {}});
     ASSERT_NE(contents.part, nullptr) << said(contents);
     EXPECT_TRUE(contents.findings.empty() || said(contents).starts_with("stl-size")) << said(contents);
     const Box3& box = contents.part->box();
