@@ -91,8 +91,10 @@ Result<Diagnostics> repair(StlContents& contents) {
         findings.push_back(
             diagnosticOf(part_finding::kTurnedOver, {std::to_string(contents.mesh.triangles.size())}));
     }
-    if (const std::size_t open = defects.openEdges + defects.nonManifoldEdges; open > 0)
-        findings.push_back(diagnosticOf(part_finding::kOpen, {std::to_string(open)}));
+    if (defects.openEdges > 0)
+        findings.push_back(diagnosticOf(part_finding::kOpen, {std::to_string(defects.openEdges)}));
+    if (defects.nonManifoldEdges > 0)
+        findings.push_back(diagnosticOf(part_finding::kTouching, {std::to_string(defects.nonManifoldEdges)}));
     return findings;
 }
 

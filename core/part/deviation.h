@@ -5,9 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/work_context.h"
@@ -45,6 +47,10 @@ struct DeviationLimits {
     double wallSpacing = 0;   ///< of the samples of steep faces, mm; 0: there are none
 };
 
+/// Whether there is material at each of some places, exactly, wherever they are between the points of the
+/// grid. Any thread.
+using IsMaterial = std::function<std::vector<bool>(std::span<const Vec3> places)>;
+
 /// The deviations of a stock. In both directions: of the stock's points from the part, and of the part from
 /// the surface of the stock, which finds what is missing, or left, in places that are narrower than they are
 /// deep. Immutable; any thread.
@@ -52,11 +58,11 @@ class Deviation {
 public:
     Deviation() = default;
     /// Nothing if it was stopped. In parallel. `tolerance` only decides where the slower direction is looked
-    /// at: what is within it vertically is so in each direction.
-    [[nodiscard]] static std::optional<Deviation> of(const ZMapSnapshot& stock,
-                                                     std::shared_ptr<const DesignPart> part,
-                                                     const PartTolerance& tolerance,
-                                                     const WorkContext& context = {});
+    /// at: what is within it vertically is so in each direction. Between the points, where the map is less
+    /// exact than they are, `isMaterial` decides; without it such places are not resolved.
+    [[nodiscard]] static std::optional<Deviation>
+    of(const ZMapSnapshot& stock, std::shared_ptr<const DesignPart> part, const PartTolerance& tolerance,
+       const WorkContext& context = {}, const IsMaterial& isMaterial = {});
 
     [[nodiscard]] const Grid& grid() const { return m_map->zmap().grid(); }
     [[nodiscard]] const ZMapSnapshot& stock() const { return m_map->zmap(); }
@@ -82,13 +88,28 @@ public:
         bool isOnPart;
     };
     [[nodiscard]] Place placeOf(int i, int j) const;
+    /// The place of the stock's surface that is nearest to a place; nothing if nothing is left.
+    [[nodiscard]] std::optional<Vec3> nearestOnStock(const Vec3& place) const;
 
     /// The memory for it, beside the part.
     [[nodiscard]] static double bytes(const Grid& grid);
 
 private:
+    /// A place of the part that may be out of tolerance.
+    struct Candidate {
+        Vec3 place;
+        Vec3 normal;      ///< of its face
+        double off;       ///< its deviation by the map, without the allowance
+        double uncertain; ///< how much that may differ from the stock
+    };
     class Points;
     class Walls;
+    class Judge;
+
+    [[nodiscard]] bool judgePoints(const Judge& judge, const PartTolerance& tolerance,
+                                   const WorkContext& context);
+    [[nodiscard]] bool judgeWalls(const Judge& judge, const PartTolerance& tolerance,
+                                  const WorkContext& context);
 
     std::shared_ptr<const DesignPart> m_part;
     std::shared_ptr<const PartTop> m_top;

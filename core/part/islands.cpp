@@ -21,7 +21,8 @@ struct OutPoint {
     float off;     ///< the largest deviation without the allowance
     std::uint32_t wall;
     double areaMm2;
-    double volumeMm3;
+    double volumeMm3;     ///< of the column of the point
+    double wallVolumeMm3; ///< beside its steep faces
 };
 
 class IslandSearch {
@@ -48,6 +49,16 @@ private:
         return off < -m_tolerance.below ? std::optional(IslandKind::gouge) : std::nullopt;
     }
 
+    /// How much of the cell around a point its column counts for: a point that is nearer to the wall beside
+    /// it than a cell is wide is at its rim.
+    [[nodiscard]] double covered(double left, double off) const {
+        constexpr double kSteep = 2.2; // the column of a slope is not much longer
+        const Grid& grid = m_deviation.grid();
+        if (std::abs(left) <= kSteep * std::abs(off))
+            return 1;
+        return std::min(std::abs(off) / std::max(grid.hx, grid.hy), 1.0);
+    }
+
     void addPoints() {
         const Grid& grid = m_deviation.grid();
         const ZMapSnapshot& stock = m_deviation.stock();
@@ -69,7 +80,7 @@ private:
                     const double left = double{stock.height(i, j)} - double{m_deviation.top().at(i, j)} -
                                         m_tolerance.allowance;
                     m_points.push_back({i, j, *kind, false, static_cast<float>(off), 0, grid.hx * grid.hy,
-                                        std::abs(left) * grid.hx * grid.hy});
+                                        std::abs(left) * covered(left, off) * grid.hx * grid.hy, 0});
                 }
         }
     }
@@ -79,8 +90,8 @@ private:
             const WallDeviation& wall = m_deviation.walls()[k];
             const double off = double{wall.value} - m_tolerance.allowance;
             if (const auto kind = kindOf(off))
-                m_points.push_back(
-                    {wall.i, wall.j, *kind, true, static_cast<float>(off), k, double{wall.areaMm2}, 0});
+                m_points.push_back({wall.i, wall.j, *kind, true, static_cast<float>(off), k,
+                                    double{wall.areaMm2}, 0, std::abs(off) * double{wall.areaMm2}});
         }
     }
 
@@ -101,6 +112,7 @@ private:
             OutPoint& into = *at;
             into.areaMm2 += point.areaMm2;
             into.volumeMm3 += point.volumeMm3;
+            into.wallVolumeMm3 += point.wallVolumeMm3;
             if (std::abs(point.off) > std::abs(into.off)) {
                 into.off = point.off;
                 into.isOfWall = point.isOfWall;
@@ -146,6 +158,7 @@ private:
         const Grid& grid = m_deviation.grid();
         std::vector<Island> all;
         std::vector<std::size_t> worst; // the point of each island
+        std::vector<double> beside;     // its steep faces
         std::vector<std::size_t> indices(m_points.size());
         for (std::size_t k = 0; k < m_points.size(); ++k) {
             const OutPoint& point = m_points[k];
@@ -154,18 +167,22 @@ private:
                 indices[k] = all.size();
                 all.push_back({.kind = point.kind, .lo = at, .hi = at});
                 worst.push_back(k);
+                beside.push_back(0);
             }
             const std::size_t index = indices[root(k)];
             Island& island = all[index];
             island.areaMm2 += point.areaMm2;
             island.volumeMm3 += point.volumeMm3;
+            beside[index] += point.wallVolumeMm3;
             island.lo = glm::min(island.lo, at);
             island.hi = glm::max(island.hi, at);
             if (std::abs(point.off) > std::abs(m_points[worst[index]].off))
                 worst[index] = k;
         }
-        for (std::size_t k = 0; k < all.size(); ++k)
+        for (std::size_t k = 0; k < all.size(); ++k) {
             place(all[k], m_points[worst[k]]);
+            all[k].volumeMm3 = std::max(all[k].volumeMm3, beside[k]); // few points see what is thin
+        }
         std::ranges::stable_sort(all, std::ranges::greater(), &Island::depthMm);
         return all;
     }

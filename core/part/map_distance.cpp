@@ -16,7 +16,9 @@ namespace {
 /// As a fraction of the distance squared: places that are equally near but for rounding.
 constexpr double kAsNear = 1e-12;
 /// Of the height of a cell to its width: what is steeper without a rim is a step between two points.
-constexpr double kSteep = 4;
+constexpr double kSteep = 1;
+/// The slope of what is level, and the reciprocal one of what is upright.
+constexpr double kLevel = 0.01;
 
 float justBelow(double value) {
     return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
@@ -144,7 +146,7 @@ private:
         Vertex fromBelow = from;
         Vertex toBelow = to;
         fromBelow.at.z = toBelow.at.z = m_map.m_zmap.stock().floorZ();
-        fromBelow.isWall = toBelow.isWall = true; // it is as exact as the box
+        fromBelow.isWall = toBelow.isWall = true; // upright: as exact as the box
         lookAtTriangle(from, to, toBelow);
         lookAtTriangle(from, toBelow, fromBelow);
     }
@@ -165,10 +167,17 @@ private:
             return;
         m_least2 = std::min(m_least2, away2);
         m_ahead = std::abs(ahead);
-        const bool isSharp = (a.isWall && b.isWall) || (b.isWall && c.isWall) || (c.isWall && a.isWall);
-        const double over = std::hypot(normal.x, normal.y);
         m_best =
-            Nearest{at.place, std::sqrt(away2), m_i, m_j, isSharp || over <= kSteep * normal.z, ahead < 0};
+            Nearest{at.place, std::sqrt(away2), m_i, m_j, isExact(normal, a.isWall || b.isWall || c.isWall),
+                    ahead < 0};
+    }
+
+    /// Beside a wall only what is upright or level is.
+    [[nodiscard]] static bool isExact(const Vec3& normal, bool isBesideWall) {
+        const double over = std::hypot(normal.x, normal.y);
+        if (!isBesideWall)
+            return over <= kSteep * normal.z;
+        return std::abs(normal.z) <= kLevel * over || over <= kLevel * std::abs(normal.z);
     }
 
     const MapDistance& m_map;

@@ -23,9 +23,9 @@ public:
         double distance;
         int i; ///< the first point of its cell
         int j;
-        /// Whether the surface there is as exact as its points: no side of it is as steep as a wall without a
-        /// rim.
-        bool isSharp;
+        /// Whether the surface there is as exact as its points: no step of the grid without a rim, and no
+        /// round foot of a wall between two points.
+        bool isExact;
         bool isInside; ///< the point is within the stock
     };
 

@@ -91,11 +91,19 @@ inline constexpr FindingRow kDuplicates{
 /// Argument: how many edges.
 inline constexpr FindingRow kOpen{
     Severity::warning,
-    false,
+    true,
     "part-not-closed",
     PROVEOUT_TEXT("Core", "Part not closed"),
     PROVEOUT_TEXT("Core", "The part is not closed at {} edges; places next to them are not judged."),
     PROVEOUT_TEXT("Core", "Export the part again as one closed solid.")};
+/// Argument: how many edges.
+inline constexpr FindingRow kTouching{
+    Severity::warning,
+    false,
+    "part-not-manifold",
+    PROVEOUT_TEXT("Core", "Part touches itself"),
+    PROVEOUT_TEXT("Core", "At {} edges of the part more than two facets meet."),
+    kOpen.hint};
 
 // Of a comparison. Arguments of the first two: the largest deviation, what is allowed.
 inline constexpr FindingRow kGouge{
@@ -150,6 +158,15 @@ inline constexpr FindingRow kUnresolved{
     PROVEOUT_TEXT("Core", "Walls not resolved"),
     PROVEOUT_TEXT("Core", "{} mm² of the steep faces of the part cannot be judged at this grid spacing."),
     PROVEOUT_TEXT("Core", "Choose a finer grid, or a wider tolerance.")};
+/// Argument: how many edges of the grid.
+inline constexpr FindingRow kRibsUnseen{
+    Severity::error,
+    true,
+    "part-ribs-unseen",
+    PROVEOUT_TEXT("Core", "Ribs between grid points"),
+    PROVEOUT_TEXT("Core",
+                  "Thin ribs are left at {} places between the points of the grid, and are not compared."),
+    PROVEOUT_TEXT("Core", "Choose a finer grid.")};
 inline constexpr FindingRow kUndercut{
     Severity::note,
     false,
@@ -163,7 +180,8 @@ inline constexpr FindingRow kUndercut{
 /// Those that refuse the description of a part.
 inline constexpr std::array kPartRows{&kKey, &kValue, &kNoFile};
 inline constexpr std::array kComparisonRows{
-    &kUnread, &kNoStock, &kFormat,     &kTooLarge,     &kWinding,   &kTurnedOver,  &kDuplicates, &kOpen,
-    &kGouge,  &kExcess,  &kNeverThere, &kOutsideStock, &kMisplaced, &kSideUnknown, &kUnresolved, &kUndercut};
+    &kUnread,     &kNoStock,      &kFormat,    &kTooLarge,    &kWinding,    &kTurnedOver,
+    &kDuplicates, &kOpen,         &kTouching,  &kRibsUnseen,  &kGouge,      &kExcess,
+    &kNeverThere, &kOutsideStock, &kMisplaced, &kSideUnknown, &kUnresolved, &kUndercut};
 
 } // namespace proveout::part_finding

@@ -10,6 +10,17 @@ namespace {
 
 constexpr DescribedFindings kFindings{part_finding::kValue, part_finding::kKey};
 
+/// Whether a text is a value of a part, whose file is missing.
+bool isValue(std::string_view text) {
+    bool found = false;
+    const PartSpec part;
+    describe(part, [&](double, const Field& field) {
+        const std::string_view key(field.key);
+        found = found || (text.starts_with(key) && text.substr(key.size()).starts_with('='));
+    });
+    return found;
+}
+
 } // namespace
 
 Result<PartSpec> parsePart(std::string_view text, const PartSpec& before) {
@@ -20,7 +31,7 @@ Result<PartSpec> parsePart(std::string_view text, const PartSpec& before) {
     if (!part)
         return part;
     part->file = parts ? parts->file : text;
-    if (part->file.empty())
+    if (part->file.empty() || (!parts && isValue(text)))
         return failure(part_finding::kNoFile);
     return part;
 }

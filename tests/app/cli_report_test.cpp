@@ -43,8 +43,9 @@ TEST_F(CliReport, EachNumberOfThePageIsThatOfTheJson) {
         ASSERT_TRUE(json.contains(pointer)) << (*at)[2];
         EXPECT_EQ(json[pointer].dump(), (*at)[1].str()) << (*at)[2];
         const std::string shown = (*at)[3].str();
-        if (shown.find(':') == std::string::npos) // a time
+        if (shown.find(':') == std::string::npos) { // otherwise a time
             EXPECT_NEAR(std::strtod(shown.c_str(), nullptr), json[pointer].get<double>(), 0.0501) << (*at)[2];
+        }
     }
     EXPECT_GT(numbers, 30);
     // No number but those: the text without them, scripts and attributes has none but in names and sentences.

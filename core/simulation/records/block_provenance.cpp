@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/simulation/records/reached_place.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/setup/tool_choice.h"
 #include "core/zmap/grid_part.h"
@@ -16,28 +17,8 @@ namespace {
 
 /// Blocks that are cut at once: their motions need some 10 MB.
 constexpr std::size_t kPortion = 65'536;
-/// The possible difference of two exact cuts: 1 µm each.
-constexpr double kOnSurface = 2e-3;
 /// A point on the rim of a cutter is cut, but rounding may place it beside the rim.
 constexpr double kBesideRim = 1e-3; // mm
-
-/// Whether a motion may reach a place over ground with a cutter of that radius.
-bool passesNear(const Motion& motion, double radius, const Vec2& place) {
-    if (motion.kind == MotionKind::arc)
-        return glm::distance(Vec2(motion.centre), place) <=
-               radius + std::max(glm::distance(motion.centre, motion.start),
-                                 glm::distance(motion.centre, motion.end));
-    const auto within = [&](int axis) {
-        const auto [lo, hi] = std::minmax(motion.start[axis], motion.end[axis]);
-        return place[axis] >= lo - radius && place[axis] <= hi + radius;
-    };
-    return within(0) && within(1);
-}
-
-bool reaches(const CutterMotion& one, const Vec3& place) {
-    return one.cutter != nullptr && passesNear(one.motion, one.cutter->radius(), Vec2(place)) &&
-           envelope(*one.cutter, one.motion, place.x, place.y) <= place.z + kOnSurface;
-}
 
 } // namespace
 

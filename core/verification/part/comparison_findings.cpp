@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kLeastOverlap = 0.5;
 constexpr double kPercent = 100;
+constexpr double kMicrons = 1000; // in a millimetre: no figure is as exact
 
 /// The islands of one kind and one tool.
 class Group {
@@ -41,6 +43,7 @@ public:
             m_finding.lastBlock = *m_blocks.rbegin();
             m_finding.count = m_blocks.size();
         }
+        m_finding.value = std::round(m_finding.value * kMicrons) / kMicrons;
         return std::move(m_finding);
     }
 
@@ -52,7 +55,7 @@ private:
 const FindingRow& rowOf(const ComparedIsland& island) {
     if (island.of.kind == IslandKind::excess)
         return part_finding::kExcess;
-    return island.block ? part_finding::kGouge : part_finding::kNeverThere;
+    return island.isUncut ? part_finding::kNeverThere : part_finding::kGouge;
 }
 
 } // namespace
@@ -80,15 +83,16 @@ std::vector<RuleFinding> findingsOf(const PartComparison& comparison) {
             findings.push_back({.row = &row, .value = value});
     };
     addIf(part_finding::kSideUnknown, static_cast<double>(limits.pointsWithoutSide));
-    addIf(part_finding::kUnresolved, limits.unresolvedMm2);
-    addIf(part_finding::kUndercut, limits.hiddenMm2);
+    addIf(part_finding::kRibsUnseen, static_cast<double>(unseenRibs(comparison.deviation.stock().rims())));
+    addIf(part_finding::kUnresolved, std::round(limits.unresolvedMm2 * kMicrons) / kMicrons);
+    addIf(part_finding::kUndercut, std::round(limits.hiddenMm2 * kMicrons) / kMicrons);
     return findings;
 }
 
 const char* comparisonUnit(const FindingRow& row) {
     if (&row == &part_finding::kUnresolved || &row == &part_finding::kUndercut)
         return "mm²";
-    return &row == &part_finding::kSideUnknown ? "" : "mm";
+    return &row == &part_finding::kSideUnknown || &row == &part_finding::kRibsUnseen ? "" : "mm";
 }
 
 bool isMisplaced(const DesignPart& part, const StockBox& stock) {
@@ -99,8 +103,9 @@ Diagnostics placementFindings(const DesignPart& part, const StockBox& stock, con
     if (isMisplaced(part, stock))
         return {diagnosticOf(part_finding::kMisplaced, {figures("{:.0f}", kPercent * overlap(part, stock))})};
     const Box3& box = part.box();
-    const std::array<std::pair<double, const char*>, 5> sides{
+    const std::array<std::pair<double, const char*>, 6> sides{
         {{box.hi.z - stock.topZ(), "+Z"},
+         {stock.floorZ() - box.lo.z, "−Z"},
          {stock.corner.x - box.lo.x, "−X"},
          {box.hi.x - stock.corner.x - stock.width, "+X"},
          {stock.corner.y - box.lo.y, "−Y"},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/simulation/records/block_provenance.h"
+#include "core/simulation/records/swept_stock.h"
 #include "core/simulation/run/rim_finder.h"
 #include "core/simulation/setup/tool_choice.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kWalled = 0.2;
 constexpr double kCompared = 0.8;
 constexpr double kOnSurface = 2e-3;    // mm: as blockThatMade() sees it
+constexpr double kInFront = 0.01;      // mm: of a surface
 constexpr double kBesideRim = 1e-3;    // mm: a point on the rim of a cutter may be beside it
 constexpr double kBinsInTolerance = 5; // of the histogram, on each side
 
@@ -48,7 +50,19 @@ private:
     /// The places whose blocks may have made an island, the best first.
     void add(const Island& island, std::size_t owner) {
         if (island.kind == IslandKind::gouge && island.isOnPart)
-            return addAround(missingPlace(island), owner);
+            addAround(missingPlace(island), owner); // if nobody came there, the one below is as good
+        addSurface(island, owner);
+    }
+
+    /// Who made the surface at the nearest place of the stock, or else at the nearest point of the grid.
+    void addSurface(const Island& island, std::size_t owner) {
+        if (island.kind == IslandKind::excess && island.isOnPart)
+            if (const auto nearest = m_comparison.deviation.nearestOnStock(island.place);
+                nearest && *nearest != island.place) {
+                // Just in the air in front of it.
+                addAround(*nearest + glm::normalize(*nearest - island.place) * kInFront, owner);
+                return;
+            }
         const ZMapSnapshot& zmap = m_comparison.deviation.stock();
         const Grid& grid = zmap.grid();
         if (isCut(m_end, {island.i, island.j}))
@@ -84,9 +98,12 @@ private:
 void count(PartComparison& comparison) {
     const PartTolerance& tolerance = comparison.tolerance;
     DeviationHistogram& histogram = comparison.histogram;
-    const double widest = std::max({tolerance.below, tolerance.above, kOnSurface});
-    histogram.width = widest / (kBinsInTolerance - 0.5); // the tolerance is between two bins
+    const double narrowest = std::max(std::min(tolerance.below, tolerance.above), kOnSurface);
+    histogram.width = narrowest / (kBinsInTolerance - 0.5); // the tolerance is between two bins
+    bool isFirst = true;
     const auto note = [&](double off) {
+        if (std::exchange(isFirst, false))
+            comparison.lowestMm = comparison.highestMm = off;
         comparison.lowestMm = std::min(comparison.lowestMm, off);
         comparison.highestMm = std::max(comparison.highestMm, off);
     };
@@ -119,12 +136,20 @@ std::shared_ptr<const PartComparison> comparePart(const Frame& end, std::shared_
         walled = RimFinder().find(end, context.part(0, kWalled));
     auto comparison = std::make_shared<PartComparison>();
     comparison->tolerance = tolerance;
-    auto deviation = Deviation::of(walled, std::move(part), tolerance, context.part(kWalled, kCompared));
+    PartTolerance judged = tolerance; // nothing is known more exactly
+    judged.below = std::max(judged.below, kOnSurface);
+    judged.above = std::max(judged.above, kOnSurface);
+    const SweptStock swept(end, context.quiet());
+    const auto isMaterial = [&](std::span<const Vec3> places) {
+        return swept.isMaterial(places, context.quiet());
+    };
+    auto deviation =
+        Deviation::of(walled, std::move(part), judged, context.part(kWalled, kCompared), isMaterial);
     if (!deviation || context.stopped())
         return nullptr;
     comparison->deviation = std::move(*deviation);
     count(*comparison);
-    for (Island& island : islandsOf(comparison->deviation, tolerance)) {
+    for (Island& island : islandsOf(comparison->deviation, judged)) {
         const bool isGouge = island.kind == IslandKind::gouge;
         ++(isGouge ? comparison->gouges : comparison->excesses);
         (isGouge ? comparison->missingMm3 : comparison->leftMm3) += island.volumeMm3;

@@ -171,7 +171,7 @@ void PartPanelTest::comparesTheMomentAtRestWhenAskedTo() {
     bench.session.job().setPart(PartSpec{.file = toPath(bench.writePart())});
     QVERIFY(bench.compared());
     QCOMPARE(bench.session.part().comparison(), nullptr);
-    bench.session.part().setOn(true);
+    bench.session.part().setOn(bench.panel, true);
     QVERIFY(QTest::qWaitFor([&] { return bench.session.part().comparison() != nullptr; }, kPatience));
     QCOMPARE(bench.session.part().comparison()->gouges, 0U);
     bench.session.playback().seek(bench.session.program().current()->blockCount());
@@ -181,7 +181,7 @@ void PartPanelTest::comparesTheMomentAtRestWhenAskedTo() {
             return comparison && comparison->gouges == 2;
         },
         kPatience));
-    bench.session.part().setOn(false);
+    bench.session.part().setOn(bench.panel, false);
     QCOMPARE(bench.session.part().comparison(), nullptr);
 }
 
