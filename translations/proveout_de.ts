@@ -5684,7 +5684,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Choose a finer grid, or the automatic one; see details with View, Magnifier, or in a smaller stock.</source>
-        <translation>Ein feineres Raster oder das automatische wählen; Einzelheiten mit Ansicht, Detaillupe oder in einem kleineren Rohteil ansehen.</translation>
+        <translation>Ein feineres Gitter oder das automatische wählen; Einzelheiten mit Ansicht, Detaillupe oder in einem kleineren Rohteil ansehen.</translation>
     </message>
     <message>
         <source>See details with View, Magnifier, or in a smaller stock, or enter a finer grid spacing.</source>
@@ -8596,7 +8596,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use a finer grid, so that fewer motions are over each square, or a stock whose walls are known.</source>
-        <translation>Ein feineres Raster verwenden, sodass weniger Bewegungen über jedem Quadrat liegen, oder ein Rohteil, dessen Wände bekannt sind.</translation>
+        <translation>Ein feineres Gitter verwenden, sodass weniger Bewegungen über jedem Quadrat liegen, oder ein Rohteil, dessen Wände bekannt sind.</translation>
     </message>
     <message>
         <source>Stock walls at grid points</source>
@@ -8618,6 +8618,226 @@ Vorgabe: 0 mm</translation>
         <source>Export the stock with triangles that are less long and narrow.</source>
         <translation>Das Rohteil mit weniger langen und schmalen Dreiecken exportieren.</translation>
     </message>
+    <message>
+        <source>Unknown key of part</source>
+        <translation>Unbekannter Wert des Fertigteils</translation>
+    </message>
+    <message>
+        <source>The design part has no &quot;{}&quot;; it has {}.</source>
+        <translation>Das Fertigteil hat kein „{}“; es hat {}.</translation>
+    </message>
+    <message>
+        <source>Invalid value of part</source>
+        <translation>Ungültiger Wert des Fertigteils</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; of the design part must be a number from {} to {}.</source>
+        <translation>„{}“ des Fertigteils muss eine Zahl von {} bis {} sein.</translation>
+    </message>
+    <message>
+        <source>Part without a file</source>
+        <translation>Fertigteil ohne Datei</translation>
+    </message>
+    <message>
+        <source>The design part needs the name of its file, as in x=0,y=0,z=0,file=part.stl.</source>
+        <translation>Das Fertigteil braucht den Namen seiner Datei, wie in x=0,y=0,z=0,file=part.stl.</translation>
+    </message>
+    <message>
+        <source>Part not compared</source>
+        <translation>Fertigteil nicht verglichen</translation>
+    </message>
+    <message>
+        <source>The stock is not compared with the part, because its file cannot be used: {}</source>
+        <translation>Das Rohteil wird nicht mit dem Fertigteil verglichen, weil dessen Datei nicht verwendet werden kann: {}</translation>
+    </message>
+    <message>
+        <source>The program is checked without a stock, so there is nothing to compare with the part.</source>
+        <translation>Das Programm wird ohne Rohteil geprüft; mit dem Fertigteil kann daher nichts verglichen werden.</translation>
+    </message>
+    <message>
+        <source>State the stock.</source>
+        <translation>Geben Sie das Rohteil an.</translation>
+    </message>
+    <message>
+        <source>Format of part unknown</source>
+        <translation>Format des Fertigteils unbekannt</translation>
+    </message>
+    <message>
+        <source>A design part cannot be read from a file that ends in &quot;{}&quot;.</source>
+        <translation>Ein Fertigteil kann nicht aus einer Datei mit der Endung „{}“ gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Export the part as STL.</source>
+        <translation>Exportieren Sie das Teil als STL.</translation>
+    </message>
+    <message>
+        <source>Part too large</source>
+        <translation>Fertigteil zu groß</translation>
+    </message>
+    <message>
+        <source>The part needs {}; {} are available.</source>
+        <translation>Das Fertigteil braucht {}; verfügbar sind {}.</translation>
+    </message>
+    <message>
+        <source>Export the part with fewer facets.</source>
+        <translation>Exportieren Sie das Teil mit weniger Facetten.</translation>
+    </message>
+    <message>
+        <source>Part turned over in places</source>
+        <translation>Fertigteil stellenweise umgestülpt</translation>
+    </message>
+    <message>
+        <source>Neighbouring facets of the part face to opposite sides at {} edges, so that inside and outside are not known.</source>
+        <translation>An {} Kanten zeigen benachbarte Facetten des Fertigteils zu entgegengesetzten Seiten; innen und außen sind daher nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Part repaired</source>
+        <translation>Fertigteil repariert</translation>
+    </message>
+    <message>
+        <source>The part is inside out; all {} facets were turned over.</source>
+        <translation>Das Fertigteil ist umgestülpt; alle {} Facetten wurden umgedreht.</translation>
+    </message>
+    <message>
+        <source>{} facets of the part are there twice; one of each was left out.</source>
+        <translation>{} Facetten des Fertigteils sind doppelt vorhanden; je eine wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Part not closed</source>
+        <translation>Fertigteil nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>The part is not closed at {} edges; places next to them are not judged.</source>
+        <translation>Das Fertigteil ist an {} Kanten nicht geschlossen; Stellen daneben werden nicht beurteilt.</translation>
+    </message>
+    <message>
+        <source>Part touches itself</source>
+        <translation>Fertigteil berührt sich</translation>
+    </message>
+    <message>
+        <source>At {} edges of the part more than two facets meet.</source>
+        <translation>An {} Kanten des Fertigteils treffen sich mehr als zwei Facetten.</translation>
+    </message>
+    <message>
+        <source>Part gouged</source>
+        <translation>Werkstück verletzt</translation>
+    </message>
+    <message>
+        <source>The tool cuts {} mm into the part; {} mm are allowed.</source>
+        <translation>Das Werkzeug schneidet {} mm in das Fertigteil; erlaubt sind {} mm.</translation>
+    </message>
+    <message>
+        <source>Correct the toolpath, the tool or its length, or allow more.</source>
+        <translation>Korrigieren Sie die Werkzeugbahn, das Werkzeug oder seine Länge, oder erlauben Sie mehr.</translation>
+    </message>
+    <message>
+        <source>Stock left on part</source>
+        <translation>Restmaterial am Fertigteil</translation>
+    </message>
+    <message>
+        <source>{} mm of stock are left on the part; {} mm are allowed.</source>
+        <translation>{} mm Material bleiben am Fertigteil stehen; erlaubt sind {} mm.</translation>
+    </message>
+    <message>
+        <source>Machine what is left, or state the allowance if it is to stay.</source>
+        <translation>Bearbeiten Sie, was stehen bleibt, oder geben Sie das Aufmaß an, wenn es bleiben soll.</translation>
+    </message>
+    <message>
+        <source>{} mm of the part are missing where no tool cuts; {} mm are allowed.</source>
+        <translation>{} mm des Fertigteils fehlen, wo kein Werkzeug schneidet; erlaubt sind {} mm.</translation>
+    </message>
+    <message>
+        <source>Check the size and the position of the stock and of the part.</source>
+        <translation>Prüfen Sie Größe und Lage von Rohteil und Fertigteil.</translation>
+    </message>
+    <message>
+        <source>Part outside of stock</source>
+        <translation>Fertigteil außerhalb des Rohteils</translation>
+    </message>
+    <message>
+        <source>The part reaches {} mm beyond the stock ({}); it is not compared there.</source>
+        <translation>Das Fertigteil ragt {} mm über das Rohteil hinaus ({}); dort wird es nicht verglichen.</translation>
+    </message>
+    <message>
+        <source>Check the position of the part, its unit, and the stock.</source>
+        <translation>Prüfen Sie die Lage des Fertigteils, seine Einheit und das Rohteil.</translation>
+    </message>
+    <message>
+        <source>Part misplaced</source>
+        <translation>Fertigteil falsch platziert</translation>
+    </message>
+    <message>
+        <source>Only {} % of the part are within the stock: it is not compared.</source>
+        <translation>Nur {} % des Fertigteils liegen im Rohteil: es wird nicht verglichen.</translation>
+    </message>
+    <message>
+        <source>Inside of part unknown</source>
+        <translation>Inneres des Fertigteils unbekannt</translation>
+    </message>
+    <message>
+        <source>At {} points the mesh does not tell whether they are inside or outside of the part.</source>
+        <translation>An {} Punkten ist aus dem Netz nicht zu erkennen, ob sie innerhalb oder außerhalb des Fertigteils liegen.</translation>
+    </message>
+    <message>
+        <source>Export the part again as one closed solid without overlapping bodies.</source>
+        <translation>Exportieren Sie das Teil erneut als einen geschlossenen Körper ohne überlappende Körper.</translation>
+    </message>
+    <message>
+        <source>Walls not resolved</source>
+        <translation>Wände nicht aufgelöst</translation>
+    </message>
+    <message>
+        <source>{} mm² of the steep faces of the part cannot be judged at this grid spacing.</source>
+        <translation>{} mm² der steilen Flächen des Fertigteils können mit diesem Gitterabstand nicht beurteilt werden.</translation>
+    </message>
+    <message>
+        <source>Choose a finer grid, or a wider tolerance.</source>
+        <translation>Wählen Sie ein feineres Gitter oder eine größere Toleranz.</translation>
+    </message>
+    <message>
+        <source>Thin ribs are left at {} places between the points of the grid, and are not compared.</source>
+        <translation>An {} Stellen bleiben dünne Stege zwischen den Gitterpunkten stehen; sie werden nicht verglichen.</translation>
+    </message>
+    <message>
+        <source>Choose a finer grid.</source>
+        <translation>Wählen Sie ein feineres Gitter.</translation>
+    </message>
+    <message>
+        <source>Undercut of part</source>
+        <translation>Hinterschnitt des Fertigteils</translation>
+    </message>
+    <message>
+        <source>{} mm² of the part are below other faces of it, where no tool reaches them along Z; stock is left there.</source>
+        <translation>{} mm² des Fertigteils liegen unter anderen Flächen, wo sie kein Werkzeug entlang Z erreicht; dort bleibt Material stehen.</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the zero of the part&apos;s file.</source>
+        <translation>Programmkoordinate des Nullpunkts der Datei des Fertigteils.</translation>
+    </message>
+    <message>
+        <source>May be missing</source>
+        <translation>Darf fehlen</translation>
+    </message>
+    <message>
+        <source>Tolerance into the part, normal to its surface; more is a gouge.</source>
+        <translation>Toleranz in das Fertigteil hinein, senkrecht zur Oberfläche; mehr ist eine Werkstückverletzung.</translation>
+    </message>
+    <message>
+        <source>May be left</source>
+        <translation>Darf stehen bleiben</translation>
+    </message>
+    <message>
+        <source>Tolerance outside of the part, normal to its surface; more is excess.</source>
+        <translation>Toleranz außerhalb des Fertigteils, senkrecht zur Oberfläche; mehr ist Restmaterial.</translation>
+    </message>
+    <message>
+        <source>Stock allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Stock that the program is to leave on the part, as for finishing; deviations count from it.</source>
+        <translation>Material, das das Programm am Fertigteil stehen lassen soll, etwa zum Schlichten; Abweichungen zählen ab dort.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8636,6 +8856,28 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>%1 moves have no feed rate; the maximum is assumed.</source>
         <translation>%1 Bewegungen haben keinen Vorschub; der maximale wird angenommen.</translation>
+    </message>
+</context>
+<context>
+    <name>DeviationChart</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>below %1 mm: %2</source>
+        <translation>unter %1 mm: %2</translation>
+    </message>
+    <message>
+        <source>above %1 mm: %2</source>
+        <translation>über %1 mm: %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3</source>
+        <translation>%1 bis %2 mm: %3</translation>
     </message>
 </context>
 <context>
@@ -8686,6 +8928,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Breakpoints</source>
         <translation>Haltepunkte</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Fertigteil</translation>
     </message>
 </context>
 <context>
@@ -9412,6 +9658,33 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>IslandsModel</name>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>Area, mm²</source>
+        <translation>Fläche, mm²</translation>
+    </message>
+    <message>
+        <source>Volume, mm³</source>
+        <translation>Volumen, mm³</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+</context>
+<context>
     <name>JobSteps</name>
     <message>
         <source>Tool T%1</source>
@@ -9460,6 +9733,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Fixtures</source>
         <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Design part</source>
+        <translation>Fertigteil</translation>
     </message>
 </context>
 <context>
@@ -9652,6 +9929,139 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Reset %1</source>
         <translation>%1 zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>PartForm</name>
+    <message>
+        <source>Design Part</source>
+        <translation>Fertigteil</translation>
+    </message>
+    <message>
+        <source>Mesh (%1)</source>
+        <translation>Netz (%1)</translation>
+    </message>
+    <message>
+        <source>No design part</source>
+        <translation>Kein Fertigteil</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose the part that the stock is compared with (STL)</source>
+        <translation>Das Teil wählen, mit dem das Rohteil verglichen wird (STL)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Compare the stock with no part</source>
+        <translation>Das Rohteil mit keinem Teil vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>PartPanel</name>
+    <message>
+        <source>Open a program, then choose the part that it makes.</source>
+        <translation>Öffnen Sie ein Programm und wählen Sie dann das Teil, das es herstellt.</translation>
+    </message>
+    <message>
+        <source>Choose the part that the program makes: the stock is then compared with it.</source>
+        <translation>Wählen Sie das Teil, das das Programm herstellt: das Rohteil wird dann damit verglichen.</translation>
+    </message>
+    <message>
+        <source>Reading the part…</source>
+        <translation>Fertigteil wird gelesen …</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the part.</source>
+        <translation>Für das Fertigteil reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>Checking the program and comparing the stock…</source>
+        <translation>Das Programm wird geprüft und das Rohteil verglichen …</translation>
+    </message>
+    <message>
+        <source>The program is not checked.</source>
+        <translation>Das Programm wird nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>The stock is not compared with the part: see the problems.</source>
+        <translation>Das Rohteil wird nicht mit dem Fertigteil verglichen: siehe Probleme.</translation>
+    </message>
+    <message>
+        <source>Nothing is out of tolerance.</source>
+        <translation>Nichts ist außer Toleranz.</translation>
+    </message>
+    <message>
+        <source>Save Islands</source>
+        <translation>Inseln speichern</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>Tabelle (%1)</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Save the islands as a table</source>
+        <translation>Die Inseln als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Places out of tolerance</source>
+        <translation>Stellen außer Toleranz</translation>
+    </message>
+</context>
+<context>
+    <name>PartText</name>
+    <message>
+        <source>Gouge</source>
+        <translation>Werkstückverletzung</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
+        <source>reached by no tool</source>
+        <translation>von keinem Werkzeug erreicht</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm deep, %3 mm², %4 mm³, at X%5 Y%6 Z%7</source>
+        <translation>%1, %2 mm tief, %3 mm², %4 mm³, bei X%5 Y%6 Z%7</translation>
+    </message>
+    <message>
+        <source>Line %1, T%2</source>
+        <translation>Zeile %1, T%2</translation>
+    </message>
+    <message>
+        <source>allowed: −%1 to +%2 mm</source>
+        <translation>erlaubt: −%1 bis +%2 mm</translation>
+    </message>
+    <message>
+        <source>Gouges: %1, up to %2 mm deep, %3 mm³</source>
+        <translation>Werkstückverletzungen: %1, bis %2 mm tief, %3 mm³</translation>
+    </message>
+    <message>
+        <source>Excesses: %1, up to %2 mm high, %3 mm³</source>
+        <translation>Restmaterial: %1, bis %2 mm hoch, %3 mm³</translation>
+    </message>
+    <message>
+        <source>In tolerance: deviations from %1 to %2 mm</source>
+        <translation>In Toleranz: Abweichungen von %1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>not all of it can be judged</source>
+        <translation>nicht alles kann beurteilt werden</translation>
     </message>
 </context>
 <context>

@@ -8618,6 +8618,226 @@ Default: 0 mm</source>
         <source>Export the stock with triangles that are less long and narrow.</source>
         <translation>덜 길고 좁은 삼각형으로 소재를 내보내십시오.</translation>
     </message>
+    <message>
+        <source>Unknown key of part</source>
+        <translation>알 수 없는 설계 형상 항목</translation>
+    </message>
+    <message>
+        <source>The design part has no &quot;{}&quot;; it has {}.</source>
+        <translation>설계 형상에는 &quot;{}&quot; 항목이 없습니다. 있는 항목: {}.</translation>
+    </message>
+    <message>
+        <source>Invalid value of part</source>
+        <translation>잘못된 설계 형상 값</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; of the design part must be a number from {} to {}.</source>
+        <translation>설계 형상의 &quot;{}&quot;은(는) {}에서 {}까지의 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>Part without a file</source>
+        <translation>파일이 없는 설계 형상</translation>
+    </message>
+    <message>
+        <source>The design part needs the name of its file, as in x=0,y=0,z=0,file=part.stl.</source>
+        <translation>설계 형상에는 x=0,y=0,z=0,file=part.stl처럼 파일 이름이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Part not compared</source>
+        <translation>설계 형상 비교 안 됨</translation>
+    </message>
+    <message>
+        <source>The stock is not compared with the part, because its file cannot be used: {}</source>
+        <translation>설계 형상 파일을 사용할 수 없어 소재를 비교하지 않습니다: {}</translation>
+    </message>
+    <message>
+        <source>The program is checked without a stock, so there is nothing to compare with the part.</source>
+        <translation>소재 없이 프로그램을 검사하므로 설계 형상과 비교할 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>State the stock.</source>
+        <translation>소재를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>Format of part unknown</source>
+        <translation>알 수 없는 설계 형상 형식</translation>
+    </message>
+    <message>
+        <source>A design part cannot be read from a file that ends in &quot;{}&quot;.</source>
+        <translation>&quot;{}&quot; 확장자의 파일에서는 설계 형상을 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Export the part as STL.</source>
+        <translation>설계 형상을 STL로 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>Part too large</source>
+        <translation>설계 형상이 너무 큼</translation>
+    </message>
+    <message>
+        <source>The part needs {}; {} are available.</source>
+        <translation>설계 형상에 {}이(가) 필요하지만 {}만 사용할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Export the part with fewer facets.</source>
+        <translation>면 수를 줄여 설계 형상을 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>Part turned over in places</source>
+        <translation>설계 형상의 면 방향 불일치</translation>
+    </message>
+    <message>
+        <source>Neighbouring facets of the part face to opposite sides at {} edges, so that inside and outside are not known.</source>
+        <translation>설계 형상의 모서리 {}곳에서 이웃한 면의 방향이 반대여서 안쪽과 바깥쪽을 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Part repaired</source>
+        <translation>설계 형상 수정됨</translation>
+    </message>
+    <message>
+        <source>The part is inside out; all {} facets were turned over.</source>
+        <translation>설계 형상의 안팎이 뒤집혀 있어 면 {}개를 모두 뒤집었습니다.</translation>
+    </message>
+    <message>
+        <source>{} facets of the part are there twice; one of each was left out.</source>
+        <translation>설계 형상의 면 {}개가 중복되어 하나씩 제외했습니다.</translation>
+    </message>
+    <message>
+        <source>Part not closed</source>
+        <translation>닫히지 않은 설계 형상</translation>
+    </message>
+    <message>
+        <source>The part is not closed at {} edges; places next to them are not judged.</source>
+        <translation>설계 형상이 모서리 {}곳에서 닫혀 있지 않아 그 옆은 판정하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Part touches itself</source>
+        <translation>서로 닿는 설계 형상</translation>
+    </message>
+    <message>
+        <source>At {} edges of the part more than two facets meet.</source>
+        <translation>설계 형상의 모서리 {}곳에서 면이 셋 이상 만납니다.</translation>
+    </message>
+    <message>
+        <source>Part gouged</source>
+        <translation>설계 형상 과절삭</translation>
+    </message>
+    <message>
+        <source>The tool cuts {} mm into the part; {} mm are allowed.</source>
+        <translation>공구가 설계 형상을 {} mm 파고듭니다. 허용값은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Correct the toolpath, the tool or its length, or allow more.</source>
+        <translation>공구 경로, 공구 또는 공구 길이를 고치거나 허용값을 늘리십시오.</translation>
+    </message>
+    <message>
+        <source>Stock left on part</source>
+        <translation>설계 형상의 미절삭</translation>
+    </message>
+    <message>
+        <source>{} mm of stock are left on the part; {} mm are allowed.</source>
+        <translation>설계 형상에 소재가 {} mm 남습니다. 허용값은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Machine what is left, or state the allowance if it is to stay.</source>
+        <translation>남은 부분을 가공하거나, 남겨야 한다면 가공 여유를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>{} mm of the part are missing where no tool cuts; {} mm are allowed.</source>
+        <translation>공구가 가공하지 않은 곳에서 설계 형상이 {} mm 모자랍니다. 허용값은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Check the size and the position of the stock and of the part.</source>
+        <translation>소재와 설계 형상의 크기와 위치를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Part outside of stock</source>
+        <translation>소재를 벗어난 설계 형상</translation>
+    </message>
+    <message>
+        <source>The part reaches {} mm beyond the stock ({}); it is not compared there.</source>
+        <translation>설계 형상이 소재를 {} mm 벗어납니다({}). 그 부분은 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Check the position of the part, its unit, and the stock.</source>
+        <translation>설계 형상의 위치와 단위, 소재를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Part misplaced</source>
+        <translation>잘못 놓인 설계 형상</translation>
+    </message>
+    <message>
+        <source>Only {} % of the part are within the stock: it is not compared.</source>
+        <translation>설계 형상의 {} %만 소재 안에 있어 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Inside of part unknown</source>
+        <translation>설계 형상의 안쪽을 알 수 없음</translation>
+    </message>
+    <message>
+        <source>At {} points the mesh does not tell whether they are inside or outside of the part.</source>
+        <translation>점 {}개가 설계 형상의 안쪽인지 바깥쪽인지 메시로 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Export the part again as one closed solid without overlapping bodies.</source>
+        <translation>겹치는 물체 없이 하나의 닫힌 솔리드로 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>Walls not resolved</source>
+        <translation>분해되지 않은 벽</translation>
+    </message>
+    <message>
+        <source>{} mm² of the steep faces of the part cannot be judged at this grid spacing.</source>
+        <translation>이 격자 간격으로는 설계 형상의 가파른 면 {} mm²를 판정할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Choose a finer grid, or a wider tolerance.</source>
+        <translation>더 촘촘한 격자나 더 큰 공차를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Thin ribs are left at {} places between the points of the grid, and are not compared.</source>
+        <translation>격자점 사이 {}곳에 얇은 리브가 남으며 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Choose a finer grid.</source>
+        <translation>더 촘촘한 격자를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Undercut of part</source>
+        <translation>설계 형상의 언더컷</translation>
+    </message>
+    <message>
+        <source>{} mm² of the part are below other faces of it, where no tool reaches them along Z; stock is left there.</source>
+        <translation>설계 형상의 {} mm²가 다른 면 아래에 있어 공구가 Z 방향으로 닿지 않으며 소재가 남습니다.</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the zero of the part&apos;s file.</source>
+        <translation>설계 형상 파일 원점의 프로그램 좌표.</translation>
+    </message>
+    <message>
+        <source>May be missing</source>
+        <translation>과절삭 허용</translation>
+    </message>
+    <message>
+        <source>Tolerance into the part, normal to its surface; more is a gouge.</source>
+        <translation>표면에 수직으로 설계 형상 안쪽 공차. 넘으면 과절삭입니다.</translation>
+    </message>
+    <message>
+        <source>May be left</source>
+        <translation>미절삭 허용</translation>
+    </message>
+    <message>
+        <source>Tolerance outside of the part, normal to its surface; more is excess.</source>
+        <translation>표면에 수직으로 설계 형상 바깥쪽 공차. 넘으면 미절삭입니다.</translation>
+    </message>
+    <message>
+        <source>Stock allowance</source>
+        <translation>가공 여유</translation>
+    </message>
+    <message>
+        <source>Stock that the program is to leave on the part, as for finishing; deviations count from it.</source>
+        <translation>정삭 등을 위해 프로그램이 설계 형상에 남겨야 하는 소재. 편차는 여기서부터 셉니다.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -8636,6 +8856,27 @@ Default: 0 mm</source>
     <message>
         <source>%1 moves have no feed rate; the maximum is assumed.</source>
         <translation>이송 속도가 없는 동작 %1개는 최대 이송 속도로 가정합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>DeviationChart</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>점 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>below %1 mm: %2</source>
+        <translation>%1 mm 미만: %2</translation>
+    </message>
+    <message>
+        <source>above %1 mm: %2</source>
+        <translation>%1 mm 초과: %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3</source>
+        <translation>%1~%2 mm: %3</translation>
     </message>
 </context>
 <context>
@@ -8686,6 +8927,10 @@ Default: 0 mm</source>
     <message>
         <source>Breakpoints</source>
         <translation>중단점</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>설계 형상</translation>
     </message>
 </context>
 <context>
@@ -9411,6 +9656,33 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>IslandsModel</name>
+    <message>
+        <source>Kind</source>
+        <translation>종류</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>깊이, mm</translation>
+    </message>
+    <message>
+        <source>Area, mm²</source>
+        <translation>면적, mm²</translation>
+    </message>
+    <message>
+        <source>Volume, mm³</source>
+        <translation>부피, mm³</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>행</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>공구</translation>
+    </message>
+</context>
+<context>
     <name>JobSteps</name>
     <message>
         <source>Tool T%1</source>
@@ -9459,6 +9731,10 @@ Default: 0 mm</source>
     <message>
         <source>Fixtures</source>
         <translation>고정구</translation>
+    </message>
+    <message>
+        <source>Design part</source>
+        <translation>설계 형상</translation>
     </message>
 </context>
 <context>
@@ -9651,6 +9927,139 @@ Default: 0 mm</source>
     <message>
         <source>Reset %1</source>
         <translation>%1 초기화</translation>
+    </message>
+</context>
+<context>
+    <name>PartForm</name>
+    <message>
+        <source>Design Part</source>
+        <translation>설계 형상</translation>
+    </message>
+    <message>
+        <source>Mesh (%1)</source>
+        <translation>메시 (%1)</translation>
+    </message>
+    <message>
+        <source>No design part</source>
+        <translation>설계 형상 없음</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>선택…</translation>
+    </message>
+    <message>
+        <source>Choose the part that the stock is compared with (STL)</source>
+        <translation>소재와 비교할 설계 형상 선택(STL)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>제거</translation>
+    </message>
+    <message>
+        <source>Compare the stock with no part</source>
+        <translation>소재를 비교하지 않음</translation>
+    </message>
+</context>
+<context>
+    <name>PartPanel</name>
+    <message>
+        <source>Open a program, then choose the part that it makes.</source>
+        <translation>프로그램을 연 다음 만들 설계 형상을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Choose the part that the program makes: the stock is then compared with it.</source>
+        <translation>프로그램이 만드는 설계 형상을 선택하면 소재와 비교합니다.</translation>
+    </message>
+    <message>
+        <source>Reading the part…</source>
+        <translation>설계 형상을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the part.</source>
+        <translation>설계 형상을 읽을 메모리가 부족합니다.</translation>
+    </message>
+    <message>
+        <source>Checking the program and comparing the stock…</source>
+        <translation>프로그램을 검사하고 소재를 비교하는 중…</translation>
+    </message>
+    <message>
+        <source>The program is not checked.</source>
+        <translation>프로그램을 검사하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The stock is not compared with the part: see the problems.</source>
+        <translation>소재를 설계 형상과 비교하지 않습니다. 문제를 보십시오.</translation>
+    </message>
+    <message>
+        <source>Nothing is out of tolerance.</source>
+        <translation>공차를 벗어난 곳이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Save Islands</source>
+        <translation>편차 영역 저장</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>표 (%1)</translation>
+    </message>
+    <message>
+        <source>Save CSV…</source>
+        <translation>CSV 저장…</translation>
+    </message>
+    <message>
+        <source>Save the islands as a table</source>
+        <translation>편차 영역을 표로 저장</translation>
+    </message>
+    <message>
+        <source>Places out of tolerance</source>
+        <translation>공차를 벗어난 곳</translation>
+    </message>
+</context>
+<context>
+    <name>PartText</name>
+    <message>
+        <source>Gouge</source>
+        <translation>과절삭</translation>
+    </message>
+    <message>
+        <source>Excess</source>
+        <translation>미절삭</translation>
+    </message>
+    <message>
+        <source>reached by no tool</source>
+        <translation>공구가 닿지 않음</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>확인 안 됨</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm deep, %3 mm², %4 mm³, at X%5 Y%6 Z%7</source>
+        <translation>%1, 깊이 %2 mm, %3 mm², %4 mm³, X%5 Y%6 Z%7</translation>
+    </message>
+    <message>
+        <source>Line %1, T%2</source>
+        <translation>%1행, T%2</translation>
+    </message>
+    <message>
+        <source>allowed: −%1 to +%2 mm</source>
+        <translation>허용: −%1~+%2 mm</translation>
+    </message>
+    <message>
+        <source>Gouges: %1, up to %2 mm deep, %3 mm³</source>
+        <translation>과절삭: %1, 최대 깊이 %2 mm, %3 mm³</translation>
+    </message>
+    <message>
+        <source>Excesses: %1, up to %2 mm high, %3 mm³</source>
+        <translation>미절삭: %1, 최대 높이 %2 mm, %3 mm³</translation>
+    </message>
+    <message>
+        <source>In tolerance: deviations from %1 to %2 mm</source>
+        <translation>공차 안: 편차 %1~%2 mm</translation>
+    </message>
+    <message>
+        <source>not all of it can be judged</source>
+        <translation>일부는 판정할 수 없음</translation>
     </message>
 </context>
 <context>
