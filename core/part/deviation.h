@@ -51,6 +51,8 @@ struct DeviationLimits {
 /// grid. Any thread.
 using IsMaterial = std::function<std::vector<bool>(std::span<const Vec3> places)>;
 
+class PlaceJudge;
+
 /// The deviations of a stock. In both directions: of the stock's points from the part, and of the part from
 /// the surface of the stock, which finds what is missing, or left, in places that are narrower than they are
 /// deep. Immutable; any thread.
@@ -95,20 +97,9 @@ public:
     [[nodiscard]] static double bytes(const Grid& grid);
 
 private:
-    /// A place of the part that may be out of tolerance.
-    struct Candidate {
-        Vec3 place;
-        Vec3 normal;      ///< of its face
-        double off;       ///< its deviation by the map, without the allowance
-        double uncertain; ///< how much that may differ from the stock
-    };
-    class Points;
-    class Walls;
-    class Judge;
-
-    [[nodiscard]] bool judgePoints(const Judge& judge, const PartTolerance& tolerance,
+    [[nodiscard]] bool judgePoints(const PlaceJudge& judge, const PartTolerance& tolerance,
                                    const WorkContext& context);
-    [[nodiscard]] bool judgeWalls(const Judge& judge, const PartTolerance& tolerance,
+    [[nodiscard]] bool judgeWalls(const PlaceJudge& judge, const PartTolerance& tolerance,
                                   const WorkContext& context);
 
     std::shared_ptr<const DesignPart> m_part;

@@ -80,14 +80,14 @@ inline constexpr FindingRow kTurnedOver{
     "part-repaired",
     PROVEOUT_TEXT("Core", "Part repaired"),
     PROVEOUT_TEXT("Core", "The part is inside out; all {} facets were turned over."),
-    ""};
+    kWinding.hint};
 inline constexpr FindingRow kDuplicates{
     Severity::warning,
     false,
     "part-repaired",
     PROVEOUT_TEXT("Core", "Part repaired"),
     PROVEOUT_TEXT("Core", "{} facets of the part are there twice; one of each was left out."),
-    ""};
+    kWinding.hint};
 /// Argument: how many edges.
 inline constexpr FindingRow kOpen{
     Severity::warning,

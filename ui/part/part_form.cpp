@@ -52,11 +52,12 @@ void PartForm::build() {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setColumnStretch(1, 1);
-    auto* file = new QHBoxLayout;
-    file->addWidget(m_file, 1);
-    file->addWidget(m_choose);
-    file->addWidget(m_remove);
-    layout->addLayout(file, 0, 0, 1, 2);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_choose);
+    buttons->addWidget(m_remove);
+    buttons->addStretch();
+    layout->addWidget(m_file, 0, 0, 1, 2);
+    layout->addLayout(buttons, 1, 0, 1, 2);
     PartSpec fields;
     describe(fields, [&](double&, const Field& field) {
         auto* label = new QLabel(this);
@@ -65,15 +66,15 @@ void PartForm::build() {
         setUpBox(*box, field);
         box->setMinimumWidth(kBoxWidth);
         label->setBuddy(box);
-        const auto row = static_cast<int>(m_boxes.size()) + 1;
+        const auto row = static_cast<int>(m_boxes.size()) + 2;
         layout->addWidget(label, row, 0);
         layout->addWidget(box, row, 1);
         connect(box, &QDoubleSpinBox::valueChanged, &m_rest, qOverload<>(&QTimer::start));
         m_labels.push_back(label);
         m_boxes.push_back(box);
     });
-    layout->setRowStretch(static_cast<int>(m_boxes.size()) + 1, 1);
-    m_file->setObjectName(QStringLiteral("part-file"));
+    layout->setRowStretch(static_cast<int>(m_boxes.size()) + 2, 1);
+    m_file->setObjectName(QStringLiteral("part-name"));
     m_choose->setObjectName(QStringLiteral("part-choose"));
     m_remove->setObjectName(QStringLiteral("part-remove"));
 }

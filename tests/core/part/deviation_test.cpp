@@ -184,7 +184,7 @@ TEST(Islands, OfAnUncutOutlineAreOnItsWalls) {
     const auto islands = islandsOf(deviationOf(stock, part, tolerance), tolerance);
     ASSERT_EQ(islands.size(), 1U);
     EXPECT_EQ(islands[0].kind, IslandKind::excess);
-    EXPECT_NEAR(islands[0].depthMm, 10, 0.3); // to the sides of the stock, or to its top 15 mm above
+    EXPECT_NEAR(islands[0].depthMm, 10, 0.3);     // to the sides of the stock, or to its top 15 mm above
     EXPECT_NEAR(islands[0].areaMm2, 80 * 15, 25); // without half a row along the top
 }
 

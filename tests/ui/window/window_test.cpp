@@ -213,7 +213,7 @@ private slots:
             QVERIFY2(!dock->windowTitle().isEmpty(), row.id);
             withKeys += dock->toggleViewAction()->shortcut().isEmpty() ? 0 : 1;
         }
-        QCOMPARE(withKeys, 9);
+        QCOMPARE(withKeys, 10);
     }
 
     void menusHaveAllActionsAndNoKeyIsUsedTwice() {
