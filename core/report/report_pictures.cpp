@@ -16,10 +16,9 @@ namespace {
 
 /// More triangles make a page that no mail carries.
 constexpr std::size_t kMostTriangles = 400'000;
-/// The error allowance of the first attempt, as a part of the smaller tolerance, and without one.
+/// The error allowance of the first attempt, as a part of the smaller tolerance.
 constexpr double kPartOfTolerance = 0.25;
-constexpr double kUsualAllowance = 0.02; // mm
-constexpr double kLeastAllowance = 0.005;
+constexpr double kLeastAllowance = 0.005; // mm
 constexpr int kAttempts = 4;
 
 struct Solid {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <QHelpEvent>
+#include <QLocale>
 #include <QPainter>
 #include <QToolTip>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <QTimer>
 #include <QWidget>
@@ -9,6 +10,7 @@
 #include "core/part/part_spec.h"
 #include "ui/session/session.h"
 
+class QLabel;
 class QToolButton;
 
 namespace proveout {

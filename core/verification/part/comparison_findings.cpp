@@ -75,6 +75,7 @@ std::vector<RuleFinding> findingsOf(const PartComparison& comparison) {
         at->second.add(island);
     }
     std::vector<RuleFinding> findings;
+    findings.reserve(groups.size());
     for (auto& group : groups)
         findings.push_back(group.second.take());
     const DeviationLimits& limits = comparison.deviation.limits();
