@@ -90,8 +90,10 @@ bool Deviation::judgePoints(const PlaceJudge& judge, const PartTolerance& tolera
     for (std::size_t index = 0; index < found.size(); ++index) {
         OfTile& of = found[index];
         for (const auto& [point, value] : of.instead)
-            if (verdicts[next++] == PlaceJudge::Verdict::in)
+            if (const PlaceJudge::Verdict verdict = verdicts[next++]; verdict != PlaceJudge::Verdict::out) {
                 of.tile->values[point] = value;
+                m_limits.pointsWithoutSide += verdict == PlaceJudge::Verdict::unknown ? 1 : 0;
+            }
         m_limits.pointsWithoutSide += of.withoutSide;
         m_tiles[index] = std::move(of.tile);
     }

@@ -50,7 +50,7 @@ public:
         std::vector<std::optional<Vec3>> places(candidates.size());
         inParallelRanges(candidates.size(), kCandidatesOfTask, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k)
-                places[k] = placeBeyond(candidates[k]);
+                places[k] = placeBeyond(candidates[k], verdicts[k]);
         });
         std::vector<Vec3> asked;
         for (const auto& place : places)
@@ -80,13 +80,15 @@ private:
     /// Just beyond the tolerance. At edges of the part and in gaps, where that is nearer to another face,
     /// only what is far out of tolerance counts: neighbouring places tell the rest. Nothing: it does not
     /// count, or the place would be on the other side of the part's surface.
-    [[nodiscard]] std::optional<Vec3> placeBeyond(const PartPlace& candidate) const {
+    [[nodiscard]] std::optional<Vec3> placeBeyond(const PartPlace& candidate, Verdict& otherwise) const {
         const double wanted = m_tolerance.allowance + limit(candidate);
         const double side = candidate.off > 0 ? 1 : -1;
         const Vec3 place = candidate.place + candidate.normal * (wanted + side * kExactVolume);
         const auto there = m_part.distance().at(place);
-        if (!there->hasSide)
+        if (!there->hasSide) {
+            otherwise = Verdict::unknown;
             return std::nullopt;
+        }
         if (side * there->distance >= side * wanted - kSameHeight)
             return place;
         const bool isFar = std::abs(candidate.off + m_tolerance.allowance) >

@@ -50,6 +50,8 @@ private:
     static constexpr double kUprightNormal = -0.02;
     /// Facets that are not as wide may lie between the points.
     static constexpr double kNarrowCells = 2;
+    /// The slope up to which the map is exact between its points.
+    static constexpr double kGentle = 1;
     /// Of a cell: a place so near to the border is on it.
     static constexpr double kOnBorder = 1e-3;
 
@@ -138,12 +140,26 @@ private:
         const ZMapSnapshot& zmap = m_map.zmap();
         const int i = std::min(static_cast<int>(x), zmap.grid().nx - 2);
         const int j = std::min(static_cast<int>(y), zmap.grid().ny - 2);
-        const double wanted = place.z - zmap.stock().topZ();
-        const auto isNear = [&](int column, int row) {
-            const double off = static_cast<double>(zmap.height(column, row)) - wanted;
-            return off <= m_tolerance.above && off >= -m_tolerance.below;
+        const auto height = [&](int column, int row) {
+            return static_cast<double>(zmap.height(i + column, j + row));
         };
-        return isNear(i, j) && isNear(i + 1, j) && isNear(i, j + 1) && isNear(i + 1, j + 1);
+        const double a = height(0, 0);
+        const double b = height(1, 0);
+        const double c = height(0, 1);
+        const double d = height(1, 1);
+        // On a wall in the cell the surface is elsewhere.
+        if (std::max({a, b, c, d}) - std::min({a, b, c, d}) >
+            kGentle * std::min(zmap.grid().hx, zmap.grid().hy))
+            return false;
+        const double u = x - i;
+        const double v = y - j;
+        // The diagonals of the canonical mesh end at points whose indices have an even sum.
+        const double surface = (i + j) % 2 == 0
+                                   ? (u >= v ? a + u * (b - a) + v * (d - b) : a + v * (c - a) + u * (d - c))
+                               : u + v <= 1 ? a + u * (b - a) + v * (c - a)
+                                            : d + (1 - u) * (c - d) + (1 - v) * (b - d);
+        const double off = surface - (place.z - zmap.stock().topZ());
+        return off <= m_tolerance.above && off >= -m_tolerance.below;
     }
 
     /// Whether other parts of the part are above the air in front of a place, farther than is allowed to be

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/markup.h"
 #include "core/report/assets.h"
 #include "core/report/base64.h"
 
@@ -19,29 +20,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::size_t kMostIslands = 200;
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char letter : text) {
-        switch (letter) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += letter;
-        }
-    }
-    return out;
-}
 
 std::string clockOf(double seconds) {
     const auto whole = static_cast<long long>(std::llround(seconds));

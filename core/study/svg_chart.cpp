@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/base/markup.h"
 #include "core/study/axis_ticks.h"
 #include "core/study/curve_style.h"
 #include "core/study/svg_text.h"

@@ -7,29 +7,6 @@
 
 namespace proveout {
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
-}
-
 double textWidth(std::string_view text) {
     constexpr double kLetter = 7.6;
     constexpr double kWideLetter = 13; // Korean; three bytes in UTF-8

@@ -56,7 +56,7 @@ inline constexpr FindingRow kNoPart{Severity::error,
                                     false,
                                     "part-missing",
                                     "Part missing",
-                                    "There is no design part that the tolerance could be for.",
+                                    "A tolerance needs a design part.",
                                     "State the part with --part, or in the job file."};
 inline constexpr FindingRow kStartOutOfRange{Severity::error,
                                              false,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -145,7 +146,17 @@ TEST(Islands, OfAHoleAThinSkinAndAnUncutSlotAreFound) {
     Mesh plate = boxMesh({-20, -20, -30}, {20, 20, -20});
     const PartTolerance tolerance{0.1, 0.1, 0};
     const auto worst = [&](const Mesh& part, const std::function<double(const Vec2&)>& heightAt) {
-        return islandsOf(deviationOf(mapOf(kStock, 0.25, heightAt), partOf(part), tolerance), tolerance);
+        const auto isMaterial = [&](std::span<const Vec3> places) {
+            std::vector<bool> is;
+            for (const Vec3& place : places) {
+                const double height = heightAt(Vec2(place));
+                is.push_back(height > -30 && place.z <= height);
+            }
+            return is;
+        };
+        return islandsOf(
+            *Deviation::of(mapOf(kStock, 0.25, heightAt), partOf(part), tolerance, {}, isMaterial),
+            tolerance);
     };
     const auto inside = [](const Vec2& place) { return glm::length(place) <= 3; };
     const auto hole = worst(plate, [&](const Vec2& place) { return inside(place) ? -30.0 : -20.0; });
